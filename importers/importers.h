@@ -1,0 +1,53 @@
+#pragma once
+
+// What reads files into scenes and assets, and writes authored assets. Every function throws InputError
+// (one line: FILE:LINE:COLUMN or FILE:/json/pointer, what, the value, the limit) on whatever it can not
+// use, and appends to `warnings` what it leaves out.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/asset.h"
+#include "scene/generators.h"
+#include "scene/scene.h"
+
+namespace restframe {
+
+// Bounds on what a file may ask for, checked before work starts.
+struct ImportLimits {
+  std::size_t json_bytes = 64'000'000;
+  int json_depth = 64;
+  std::size_t nodes = 1'000'000;
+  std::size_t triangles = 50'000'000;  // stored ones; instances are not counted again
+  std::size_t image_pixels = 64'000'000;
+  std::size_t total_bytes = 4'000'000'000;
+};
+
+using Warnings = std::vector<std::string>;
+using Path = std::filesystem::path;
+
+// A scene file (.toml), or an asset in its place: one object at rest at the world's origin.
+Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings);
+
+// By extension: .gltf .glb .obj
+Asset load_asset(const Path& path, const ImportLimits& limits, Warnings& warnings);
+
+Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings);
+Asset load_obj(const Path& path, const ImportLimits& limits, Warnings& warnings);
+
+// PNG or JPEG bytes; `what` names the image in errors.
+Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& what,
+                   const ImportLimits& limits);
+
+// Normals by crease angle where a mesh has none: smooth across edges that fold by less than
+// `crease_degrees`. Vertices are split where their corners' normals differ.
+void add_normals(Mesh& mesh, double crease_degrees = 40);
+
+// Authored lattices. The extension of `path` chooses the format: .glb or .obj (obj: always flat).
+// Throws OutputError if the file can not be written; nothing partial stays under the final name.
+void write_lattice(const LatticeSettings& settings, InstanceMode mode, const Path& path);
+
+}  // namespace restframe

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cmath>
+
+#include "physics/vectors.h"
+
+namespace restframe {
+
+// A velocity held as gamma * beta, which keeps its digits at any speed: 1 - beta loses them near light.
+class Velocity {
+ public:
+  Velocity() = default;
+
+  // beta: fractions of c, |beta| < 1.
+  static Velocity from_beta(const Vec3& beta) {
+    const double speed = glm::length(beta);
+    return Velocity(beta / std::sqrt((1.0 - speed) * (1.0 + speed)));
+  }
+
+  // gamma >= 1; direction of any length but zero.
+  static Velocity from_gamma(double gamma, const Vec3& direction) {
+    return Velocity(std::sqrt((gamma - 1.0) * (gamma + 1.0)) * glm::normalize(direction));
+  }
+
+  static Velocity from_gamma_beta(const Vec3& gamma_beta) { return Velocity(gamma_beta); }
+
+  const Vec3& gamma_beta() const { return gamma_beta_; }
+  double gamma() const { return gamma_; }
+  Vec3 beta() const { return gamma_beta_ / gamma_; }
+  Velocity operator-() const { return Velocity(-gamma_beta_); }
+  bool operator==(const Velocity& other) const { return gamma_beta_ == other.gamma_beta_; }
+
+ private:
+  explicit Velocity(const Vec3& gamma_beta)
+      : gamma_beta_(gamma_beta), gamma_(std::sqrt(1.0 + glm::dot(gamma_beta, gamma_beta))) {}
+
+  Vec3 gamma_beta_{0, 0, 0};
+  double gamma_ = 1;
+};
+
+}  // namespace restframe

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <variant>
+
+#include "physics/worldline.h"
+
+namespace restframe {
+
+// Aim: a unit direction in the camera's rest frame, or a point at rest in the world, aimed at where it is
+// seen (design, section 1).
+struct AimDirection {
+  Vec3 direction{0, 0, -1};
+};
+struct AimPoint {
+  Vec3 point{0, 0, 0};
+};
+
+// A perspective camera in uniform motion. Its clock shows 0 at the worldline's reference.
+struct Camera {
+  Worldline worldline;
+  std::variant<AimDirection, AimPoint> aim;
+  Vec3 up{0, 1, 0};         // in the camera's axes with a direction; the world's, aberrated, with a point
+  double vertical_fov = 1;  // radians
+};
+
+// The camera at one moment of its clock: an event, and axes in its rest frame.
+struct CameraPose {
+  Event<in::World> event;
+  Boost<in::World, in::Camera> world_from_camera;
+  Mat3 axes{1};  // columns: right, up, backwards, in the camera's rest frame
+};
+
+// Throws InputError where the aim leaves the orientation open: the camera is at its look_at point, or it
+// looks along `up`.
+CameraPose pose_at(const Camera& camera, double proper_time);
+
+// From film to rays. Film coordinates are pixels: x to the right from the left edge, y down from the top.
+class Projection {
+ public:
+  Projection(const CameraPose& pose, double vertical_fov, int width, int height);
+
+  // Unit direction in the camera's rest frame.
+  Vec3 direction(double film_x, double film_y) const {
+    return glm::normalize(corner_ + film_x * step_x_ + film_y * step_y_);
+  }
+  // The un-normalised direction is corner + film_x step_x + film_y step_y.
+  const Vec3& corner() const { return corner_; }
+  const Vec3& step_x() const { return step_x_; }
+  const Vec3& step_y() const { return step_y_; }
+
+ private:
+  Vec3 corner_, step_x_, step_y_;
+};
+
+}  // namespace restframe

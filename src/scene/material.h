@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "scene/temporal_function.h"
+
+namespace restframe {
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+// Which texture a property multiplies with, and which of the mesh's UV sets (0 or 1) places it.
+struct TextureUse {
+  int texture = -1;  // index into the textures of the same asset or scene; -1: none
+  int uv_set = 0;
+};
+
+// glTF's material, its meaning and defaults. Any number or colour may be a temporal function.
+struct Material {
+  std::string name;
+  TemporalColor base_color{Vec3f(1)};
+  TemporalNumber opacity{1.0F};  // glTF's base colour alpha
+  TextureUse base_color_texture;
+  TemporalNumber metallic{1.0F}, roughness{1.0F};
+  TextureUse metallic_roughness_texture;
+  TemporalColor emission{Vec3f(0)};
+  TemporalNumber emission_strength{1.0F};
+  TextureUse emission_texture;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5F;
+  bool double_sided = false;  // else its back faces are not seen
+  bool unlit = false;
+};
+
+}  // namespace restframe

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "physics/vectors.h"
+
+namespace restframe {
+
+using Triangle = std::array<std::uint32_t, 3>;  // vertex indices, counter-clockwise from the front
+
+// From triangle `first_triangle` on, up to the next range's, the mesh uses this material slot of its asset.
+struct MaterialRange {
+  std::uint32_t first_triangle = 0;
+  int slot = 0;
+};
+
+// Triangles as Embree reads them, in the asset's own coordinates. Attributes are empty or one a vertex.
+struct Mesh {
+  std::string name;
+  std::vector<Vec3f> positions;  // capacity of one more than size: Embree reads 16 bytes a vertex
+  std::vector<Triangle> triangles;
+  std::vector<Vec3f> normals;  // unit length; empty: the triangles' own
+  std::array<std::vector<Vec2f>, 2> uvs;
+  std::vector<Vec4f> colors;             // linear RGBA, multiplied with the base colour
+  std::vector<MaterialRange> materials;  // at least one; sorted, the first at triangle 0
+};
+
+struct Bounds {
+  Vec3 lower{1e300}, upper{-1e300};
+
+  bool empty() const { return lower.x > upper.x; }
+  Vec3 center() const { return 0.5 * (lower + upper); }
+  Vec3 extent() const { return upper - lower; }
+  void add(const Vec3& p) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+};
+
+Bounds bounds_of(const Mesh& mesh);
+
+// The material slot of a triangle.
+int material_slot(const Mesh& mesh, std::uint32_t triangle);
+
+// Appends `part` to `mesh`, its triangles using `slot`. Attributes that one of the two lacks are filled
+// in: UVs with 0, colours with white, normals with those of the triangles' corners.
+void append(Mesh& mesh, const Mesh& part, int slot);
+
+// Makes room for Embree's reads past the last vertex. Whoever builds a mesh calls it at the end.
+void pad_for_embree(Mesh& mesh);
+
+}  // namespace restframe
