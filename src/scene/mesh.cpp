@@ -1,0 +1,117 @@
+#include "scene/mesh.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/error.h"
+
+namespace restframe {
+namespace {
+
+// Some unit vector for triangles without area; which one does not matter, nothing sees them.
+Vec3f normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = glm::cross(b - a, c - a);
+  const double length = glm::length(normal);
+  return length > 0 ? Vec3f(normal / length) : Vec3f(0, 0, 1);
+}
+
+template <class T>
+void unshare(std::vector<T>& attribute, const std::vector<Triangle>& triangles) {
+  if (attribute.empty()) return;
+  std::vector<T> corners;
+  corners.reserve(3 * triangles.size());
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) corners.push_back(attribute[vertex]);
+  }
+  attribute = std::move(corners);
+}
+
+// Gives each triangle three vertices of its own with the triangle's normal: flat shading, stored.
+void store_flat_normals(Mesh& mesh) {
+  unshare(mesh.positions, mesh.triangles);
+  unshare(mesh.colors, mesh.triangles);
+  for (auto& uvs : mesh.uvs) unshare(uvs, mesh.triangles);
+  mesh.normals.clear();
+  std::uint32_t vertex = 0;
+  for (Triangle& triangle : mesh.triangles) {
+    triangle = {vertex, vertex + 1, vertex + 2};
+    vertex += 3;
+    const auto& p = mesh.positions;
+    mesh.normals.insert(mesh.normals.end(), 3,
+                        normal_of(p[triangle[0]], p[triangle[1]], p[triangle[2]]));
+  }
+}
+
+// `to` holds one value for each of `to_count` vertices, or none; likewise `from`.
+template <class T>
+void append_attribute(std::vector<T>& to, std::size_t to_count, const std::vector<T>& from,
+                      std::size_t from_count, const T& missing) {
+  if (to.empty() && from.empty()) return;
+  to.resize(to_count, missing);
+  if (from.empty()) {
+    to.resize(to_count + from_count, missing);
+  } else {
+    to.insert(to.end(), from.begin(), from.end());
+  }
+}
+
+void append_range(Mesh& mesh, int slot) {
+  if (mesh.triangles.empty()) {
+    mesh.materials = {{0, slot}};
+  } else if (mesh.materials.back().slot != slot) {
+    mesh.materials.push_back({static_cast<std::uint32_t>(mesh.triangles.size()), slot});
+  }
+}
+
+void append_same_normals(Mesh& mesh, const Mesh& part, int slot) {
+  const std::size_t count = mesh.positions.size(), more = part.positions.size();
+  if (count + more > std::numeric_limits<std::uint32_t>::max()) {
+    throw InputError("mesh '" + mesh.name + "': more than 4294967295 vertices");
+  }
+  if (!part.triangles.empty()) append_range(mesh, slot);
+  append_attribute(mesh.normals, count, part.normals, more, Vec3f(0, 0, 1));
+  append_attribute(mesh.colors, count, part.colors, more, Vec4f(1));
+  for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
+    append_attribute(mesh.uvs[set], count, part.uvs[set], more, Vec2f(0));
+  }
+  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+  const auto first = static_cast<std::uint32_t>(count);
+  for (const Triangle& t : part.triangles) {
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+}
+
+}  // namespace
+
+Bounds bounds_of(const Mesh& mesh) {
+  Bounds bounds;
+  for (const Vec3f& position : mesh.positions) bounds.add(position);
+  return bounds;
+}
+
+int material_slot(const Mesh& mesh, std::uint32_t triangle) {
+  const auto after = std::upper_bound(mesh.materials.begin(), mesh.materials.end(), triangle,
+                                      [](std::uint32_t wanted, const MaterialRange& range) {
+                                        return wanted < range.first_triangle;
+                                      });
+  return std::prev(after)->slot;
+}
+
+void append(Mesh& mesh, const Mesh& part, int slot) {
+  if (mesh.materials.empty()) mesh.materials = {{0, slot}};
+  const bool both = !mesh.positions.empty() && !part.positions.empty();
+  if (both && mesh.normals.empty() && !part.normals.empty()) store_flat_normals(mesh);
+  if (both && part.normals.empty() && !mesh.normals.empty()) {
+    Mesh with_normals = part;
+    store_flat_normals(with_normals);
+    append_same_normals(mesh, with_normals, slot);
+  } else {
+    append_same_normals(mesh, part, slot);
+  }
+}
+
+void pad_for_embree(Mesh& mesh) {
+  mesh.positions.reserve(mesh.positions.size() + 1);
+}
+
+}  // namespace restframe
