@@ -2,19 +2,23 @@
 
 // Pure boosts. Both frames share axes up to the boost (no rotation), as the design lays down.
 //
-// With u = gamma beta of the target frame as the source frame measures it, a displacement (t, x) becomes
+// With u = gamma beta of the target frame as the source frame measures it, a displacement (t, x)
+// becomes
 //     t' = gamma t - u.x                x' = x + u ((u.x) / (gamma + 1) - t).
-// Nothing divides by |u|, so rest is not special. For null vectors these differences cancel: head-on at
-// gamma = 10^6 they leave an error of 5e-4 in the frequency. There, with omega = |x| = -t,
+// Nothing divides by |u|, so rest is not special. For null vectors these differences cancel:
+// head-on at gamma = 10^6 they leave an error of 5e-4 in the frequency. There, with omega = |x| =
+// -t,
 //     omega' = gamma omega + u.x = (omega^2 + |u x x|^2) / (gamma omega - u.x)   where u.x < 0,
-// which has no difference left, and x' = x + u (omega + omega') / (gamma + 1), rescaled to |x'| = omega'.
+// which has no difference left, and x' = x + u (omega + omega') / (gamma + 1), rescaled to |x'| =
+// omega'.
 
 #include "physics/four_vector.h"
 #include "physics/velocity.h"
 
 namespace restframe {
 
-// Named target first: `Boost<in::Rest, in::World> rest_from_world` takes world vectors to the rest frame.
+// Named target first: `Boost<in::Rest, in::World> rest_from_world` takes world vectors to the rest
+// frame.
 template <class To, class From>
 class Boost {
  public:
@@ -40,9 +44,8 @@ class Boost {
     const double u_dot_x = glm::dot(u, k.x);
     const Vec3 u_cross_x = glm::cross(u, k.x);
     const double omega_to =
-        u_dot_x < 0.0
-            ? (omega * omega + glm::dot(u_cross_x, u_cross_x)) / (gamma * omega - u_dot_x)
-            : gamma * omega + u_dot_x;
+        u_dot_x < 0.0 ? (omega * omega + glm::dot(u_cross_x, u_cross_x)) / (gamma * omega - u_dot_x)
+                      : gamma * omega + u_dot_x;
     const Vec3 x_to = k.x + u * ((omega + omega_to) / (gamma + 1.0));
     return {-omega_to, x_to * (omega_to / glm::length(x_to))};
   }
@@ -58,8 +61,9 @@ Velocity composed(const Boost<To, From>& to_from, const Velocity& velocity) {
   return Velocity::from_gamma_beta(to_from.inverse()(four_velocity).x);
 }
 
-// Where a frame's own coordinates begin: times and places in it are told from `anchor`, an event near the
-// things at rest there, so that large world coordinates cancel before they are multiplied by gamma.
+// Where a frame's own coordinates begin: times and places in it are told from `anchor`, an event
+// near the things at rest there, so that large world coordinates cancel before they are multiplied
+// by gamma.
 template <class To>
 struct AnchoredFrame {
   Event<in::World> anchor;

@@ -6,7 +6,8 @@
 
 namespace restframe {
 
-// A velocity held as gamma * beta, which keeps its digits at any speed: 1 - beta loses them near light.
+// A velocity held as gamma * beta, which keeps its digits at any speed: 1 - beta loses them near
+// light.
 class Velocity {
  public:
   Velocity() = default;

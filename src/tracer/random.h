@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+
+namespace restframe {
+
+// Counter-based random numbers: each is a function of what it is for, so that pictures do not
+// depend on the order in which threads come by.
+struct SampleId {
+  std::uint64_t seed = 0;
+  std::uint32_t picture = 0;
+  std::uint32_t pixel = 0;
+  std::uint32_t sample = 0;
+};
+
+// What a number is drawn for; keeps uses independent of each other.
+enum class Dimension : std::uint32_t { film_symmetry, opacity };
+
+// Steele and others' SplitMix64 finaliser: every input bit reaches every output bit.
+inline std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+inline std::uint64_t random_bits(const SampleId& id, Dimension dimension, std::uint32_t index = 0) {
+  const std::uint64_t what = (std::uint64_t{id.picture} << 32) | id.pixel;
+  const std::uint64_t which = (std::uint64_t{id.sample} << 32) |
+                              (std::uint64_t{static_cast<std::uint32_t>(dimension)} << 24) | index;
+  return mixed(mixed(mixed(id.seed + 0x9e3779b97f4a7c15ULL) ^ what) + which);
+}
+
+// In [0, 1).
+inline float random_unit(const SampleId& id, Dimension dimension, std::uint32_t index = 0) {
+  return static_cast<float>(random_bits(id, dimension, index) >> 40) * 0x1p-24F;
+}
+
+}  // namespace restframe
