@@ -15,8 +15,7 @@ packages_ci=(clang clang-format clang-tidy libclang-rt-14-dev shellcheck)
 missing_packages() {
   local package
   for package in "$@"; do
-    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
-      echo "$package"
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed* ]] || echo "$package"
   done
 }
 
@@ -24,11 +23,12 @@ missing_packages() {
 unknown_packages() {
   local package
   for package in "$@"; do
-    apt-cache policy "$package" 2>/dev/null | grep -q '^  Candidate: [^(]' || echo "$package"
+    [[ $(LC_ALL=C apt-cache policy "$package" 2>/dev/null) == *"Candidate: "[!\(]* ]] || echo "$package"
   done
 }
 
 # apt-get as root, directly or through sudo (which asks for a password only where somebody can answer).
+# Only complaints are shown.
 apt_get_as_root() {
   local root=()
   if [ "$(id -u)" -ne 0 ]; then
@@ -36,7 +36,7 @@ apt_get_as_root() {
     [ -t 0 ] || root+=(-n)
   fi
   "${root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C \
-    apt-get -qq -o DPkg::Lock::Timeout=120 -o Acquire::Retries=3 "$@"
+    apt-get -qq -o DPkg::Lock::Timeout=120 -o Acquire::Retries=3 "$@" >/dev/null
 }
 
 # Fails, naming them, if packages stay unknown after a fresh look at the package lists.
@@ -57,7 +57,7 @@ fetch_packages() {
   echo "packages: trying again with new package lists"
   apt_get_as_root update &&
     apt_get_as_root install -y --no-install-recommends "$@" && return 0
-  echo "error: could not install $(missing_packages "$@" | xargs) (apt-get's own message is above)" >&2
+  echo "error: could not install $(missing_packages "$@" | xargs) (the lines above say why)" >&2
   return 1
 }
 
