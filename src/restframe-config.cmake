@@ -1,4 +1,5 @@
-# find_package(restframe): the target restframe::restframe.
+# find_package(restframe): the target restframe::restframe. Whatever the static libraries link is found
+# here first; tests/consumer_test.cmake fails where one is left out.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 find_dependency(glm)
