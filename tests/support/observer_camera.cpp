@@ -1,6 +1,17 @@
 #include "support/observer_camera.h"
 
+#include <utility>
+
 namespace restframe::reference {
+namespace {
+
+// Half the film's width and height at distance 1.
+std::pair<long double, long double> half_film(const ObserverCamera& camera) {
+  const long double half_height = std::tan(static_cast<long double>(camera.vertical_fov) / 2);
+  return {half_height * camera.width / camera.height, half_height};
+}
+
+}  // namespace
 
 Vec3 gamma_beta_from_beta(const Vec3& beta) {
   const Long3 b = widened(beta);
@@ -24,12 +35,6 @@ Long4 camera_event(const ObserverCamera& camera, double proper_time) {
   const Long3 u = widened(camera.gamma_beta);
   const long double tau = proper_time;
   return {camera.time + gamma_of(u) * tau, widened(camera.position) + tau * u};
-}
-
-// Half the film's width and height at distance 1.
-static std::pair<long double, long double> half_film(const ObserverCamera& camera) {
-  const long double half_height = std::tan(static_cast<long double>(camera.vertical_fov) / 2);
-  return {half_height * camera.width / camera.height, half_height};
 }
 
 Long3 direction_through(const ObserverCamera& camera, const FilmPoint& film) {
