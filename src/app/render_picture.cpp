@@ -36,32 +36,29 @@ int pixel_y(const Block& block, int lane) {
 }
 
 // Film positions of the block's pixels for one sample. Lanes off the picture stay inactive.
-void place_samples(const PictureView& view, const Block& block, Lanes<SampleId>& ids,
-                   Lanes<double>& film_x, Lanes<double>& film_y, RayPacket& rays) {
+void place_samples(const PictureView& view, const Block& block, int sample, Lanes<double>& film_x,
+                   Lanes<double>& film_y, RayPacket& rays) {
   const RenderSettings& settings = view.context.scene.render;
-  const Vec2f offset = view.offsets[ids[0].sample];
+  const Vec2f& offset = view.offsets[static_cast<std::size_t>(sample)];
   for (int lane = 0; lane < packet_size; ++lane) {
     const int x = pixel_x(block, lane);
     const int y = pixel_y(block, lane);
-    const std::uint32_t sample = ids[lane].sample;
-    ids[lane].sample = 0;  // the symmetry is the pixel's, the same for all its samples
-    const Vec2f at = turned(offset, random_bits(ids[lane], Dimension::film_symmetry));
-    ids[lane].sample = sample;
-    film_x[lane] = x + 0.5 + static_cast<double>(at.x);
-    film_y[lane] = y + 0.5 + static_cast<double>(at.y);
+    film_x[lane] = x + 0.5 + static_cast<double>(offset.x);
+    film_y[lane] = y + 0.5 + static_cast<double>(offset.y);
     rays.active[lane] = x < settings.width && y < settings.height ? -1 : 0;
   }
 }
 
-Lanes<SampleId> block_ids(const PictureView& view, const Block& block) {
+PacketId block_id(const PictureView& view, const Block& block) {
   const RenderSettings& settings = view.context.scene.render;
-  Lanes<SampleId> ids;
+  PacketId id;
+  id.seed = settings.seed;
+  id.picture = static_cast<std::uint32_t>(view.number);
   for (int lane = 0; lane < packet_size; ++lane) {
-    const int pixel = pixel_y(block, lane) * settings.width + pixel_x(block, lane);
-    ids[lane] = {settings.seed, static_cast<std::uint32_t>(view.number),
-                 static_cast<std::uint32_t>(pixel), 0};
+    id.pixel[lane] =
+        static_cast<std::uint32_t>(pixel_y(block, lane) * settings.width + pixel_x(block, lane));
   }
-  return ids;
+  return id;
 }
 
 void store(Picture& picture, const Block& block, const RadianceLanes& sum, float scale) {
@@ -94,20 +91,20 @@ void render_block(const PictureView& view, const Block& block, TemporalEvaluator
                   Picture& picture) {
   const int samples = picture.has_beauty() ? view.context.scene.render.samples : 1;
   RadianceLanes sum{};
-  Lanes<SampleId> ids = block_ids(view, block);
+  PacketId id = block_id(view, block);
   for (int sample = 0; sample < samples; ++sample) {
-    for (SampleId& id : ids.lane) id.sample = static_cast<std::uint32_t>(sample);
+    id.sample = static_cast<std::uint32_t>(sample);
     Lanes<double> film_x, film_y;
     RayPacket rays;
-    place_samples(view, block, ids, film_x, film_y, rays);
+    place_samples(view, block, sample, film_x, film_y, rays);
     camera_rays(view.pose, view.projection, film_x, film_y, rays);
     RadianceLanes radiance;
     if (sample == 0 && picture.has_data()) {
       SurfaceDataLanes data;
-      view.context.integrator.trace(rays, ids, evaluator, radiance, &data);
+      view.context.integrator.trace(rays, id, evaluator, radiance, &data);
       store(picture, block, data);
     } else {
-      view.context.integrator.trace(rays, ids, evaluator, radiance, nullptr);
+      view.context.integrator.trace(rays, id, evaluator, radiance, nullptr);
     }
     add(sum, radiance);
   }

@@ -6,7 +6,7 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/half.h>
+#include <half.h>
 
 #include <algorithm>
 #include <cmath>

@@ -76,9 +76,6 @@ void FrameSet::nearest(const RayPacket& rays, HitPacket& hits) const {
   for (int i = 0; i < static_cast<int>(frames_.size()); ++i) {
     frames_[static_cast<std::size_t>(i)].intersect(rays, i, hits);
   }
-  for (int lane = 0; lane < packet_size; ++lane) {
-    if (hits.frame[lane] >= 0) frame(hits.frame[lane]).refine(hits, lane);
-  }
 }
 
 }  // namespace restframe

@@ -19,6 +19,9 @@ class FrameSet {
   // double.
   void nearest(const RayPacket& rays, HitPacket& hits) const;
 
+  // Gives one hit its s in double: for whatever depends on where or when exactly it is.
+  void refine(HitPacket& hits, int lane) const { frame(hits.frame[lane]).refine(hits, lane); }
+
   std::span<const RestFrame> frames() const { return frames_; }
   const RestFrame& frame(int index) const { return frames_[static_cast<std::size_t>(index)]; }
   std::size_t embree_bytes() const { return device_.bytes_in_use(); }

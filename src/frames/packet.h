@@ -33,6 +33,12 @@ struct Vec3Lanes {
   }
 };
 
+struct Vec3fLanes {
+  Lanes<float> x, y, z;
+
+  Vec3f at(int i) const { return {x[i], y[i], z[i]}; }
+};
+
 template <class Frame>
 struct EventLanes {
   Lanes<double> t;

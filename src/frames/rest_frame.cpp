@@ -59,8 +59,8 @@ RestFrame::RestFrame(const EmbreeDevice& device, const Scene& scene, std::span<c
       part.triangles = scene.meshes[static_cast<std::size_t>(placed.mesh)].triangles;
       part.rest_from_mesh = translation(origin_of(object)) * placed.object_from_mesh;
       const Mat3 linear(part.rest_from_mesh);
-      part.rest_from_mesh_normal = glm::transpose(glm::inverse(linear));
-      part.mirrored = glm::determinant(linear) < 0.0;
+      part.rest_from_mesh_normal = glm::mat3(glm::transpose(glm::inverse(linear)));
+      part.rest_from_facet_normal = part.rest_from_mesh_normal;
       parts_.push_back(std::move(part));
     }
   }
@@ -108,6 +108,9 @@ void RestFrame::build_many(const EmbreeDevice& device, std::span<const Traversab
     } else {
       part.baked = baked_positions(part.traversal_from_local, mesh.positions());
       part.positions = part.baked;
+      // Baked corners give the normal in rest-frame axes; a mirroring has turned it to the back.
+      const bool mirrored = glm::determinant(Mat3(part.rest_from_mesh)) < 0.0;
+      part.rest_from_facet_normal = glm::mat3(mirrored ? -1.0F : 1.0F);
       geometry = triangle_geometry(device, part.positions, *mesh.mesh);
     }
     rtcAttachGeometryByID(own_scene_.get(), geometry.get(), static_cast<unsigned>(i));

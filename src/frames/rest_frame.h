@@ -25,8 +25,9 @@ struct FramePart {
   int object = 0;
   int mesh = 0;
   Mat4 rest_from_mesh{1};
-  Mat3 rest_from_mesh_normal{1};     // inverse transpose
-  bool mirrored = false;             // the placement turns front faces into back faces
+  glm::mat3 rest_from_mesh_normal{1};  // inverse transpose; any length
+  glm::mat3 rest_from_facet_normal{
+      1};                            // of HitPacket::facet_normal, to the side that faces the front
   bool instanced = false;            // else `positions` are in traversal coordinates already
   Mat4 traversal_from_local{1};      // of an instance
   std::vector<Vec3f> baked;          // of a mesh placed once, in a frame that holds others too
@@ -49,7 +50,7 @@ class RestFrame {
   // hit by more than floats can tell apart here.
   double s_behind(const HitPacket& hits, int lane) const;
 
-  // Gives hits of this frame their s and barycentrics in double, from the triangle's corners.
+  // Gives a hit of this frame its s in double, from the triangle's corners.
   void refine(HitPacket& hits, int lane) const;
 
   const FramePart& part(std::uint32_t index) const { return parts_[index]; }

@@ -70,20 +70,33 @@ void narrow(const LocalRays& local, RTCRayHit16& query) {
   }
 }
 
+template <class T>
+void replace(bool condition, T& value, const T& by) {
+  value = condition ? by : value;
+}
+
 void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, HitPacket& hits) {
   for (int i = 0; i < packet_size; ++i) {
-    if (local.active[i] == 0 || query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    const bool hit = local.active[i] != 0 && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
     const std::uint32_t instance = query.hit.instID[0][i];
-    hits.frame[i] = own_index;
-    hits.part[i] = instance == RTC_INVALID_GEOMETRY_ID ? query.hit.geomID[i] : instance;
-    hits.triangle[i] = query.hit.primID[i];
-    hits.s[i] = local.s_enter[i] + static_cast<double>(query.ray.tfar[i]);
-    hits.bary_u[i] = static_cast<double>(query.hit.u[i]);
-    hits.bary_v[i] = static_cast<double>(query.hit.v[i]);
-    hits.rest_t[i] = local.rest_t[i];
-    hits.rest_k_t[i] = local.rest_k_t[i];
-    hits.origin.set(i, local.origin.at(i));
-    hits.k.set(i, local.k.at(i));
+    const std::uint32_t part = instance == RTC_INVALID_GEOMETRY_ID ? query.hit.geomID[i] : instance;
+    replace(hit, hits.frame[i], own_index);
+    replace(hit, hits.part[i], part);
+    replace(hit, hits.triangle[i], query.hit.primID[i]);
+    replace(hit, hits.bary_u[i], query.hit.u[i]);
+    replace(hit, hits.bary_v[i], query.hit.v[i]);
+    replace(hit, hits.facet_normal.x[i], query.hit.Ng_x[i]);
+    replace(hit, hits.facet_normal.y[i], query.hit.Ng_y[i]);
+    replace(hit, hits.facet_normal.z[i], query.hit.Ng_z[i]);
+    replace(hit, hits.s[i], local.s_enter[i] + static_cast<double>(query.ray.tfar[i]));
+    replace(hit, hits.rest_t[i], local.rest_t[i]);
+    replace(hit, hits.rest_k_t[i], local.rest_k_t[i]);
+    replace(hit, hits.origin.x[i], local.origin.x[i]);
+    replace(hit, hits.origin.y[i], local.origin.y[i]);
+    replace(hit, hits.origin.z[i], local.origin.z[i]);
+    replace(hit, hits.k.x[i], local.k.x[i]);
+    replace(hit, hits.k.y[i], local.k.y[i]);
+    replace(hit, hits.k.z[i], local.k.z[i]);
   }
 }
 
@@ -144,14 +157,14 @@ void RestFrame::refine(HitPacket& hits, int lane) const {
   double u = glm::dot(origin, p) / det;
   double v = glm::dot(k, glm::cross(origin, edge_u)) / det;
   if (!(std::abs(u) < 2.0 && std::abs(v) < 2.0)) {
-    u = hits.bary_u[lane];
-    v = hits.bary_v[lane];
+    u = static_cast<double>(hits.bary_u[lane]);
+    v = static_cast<double>(hits.bary_v[lane]);
   }
   u = std::clamp(u, 0.0, 1.0);
   v = std::clamp(v, 0.0, 1.0 - u);
   const Vec3 point = u * edge_u + v * edge_v;
-  hits.bary_u[lane] = u;
-  hits.bary_v[lane] = v;
+  hits.bary_u[lane] = static_cast<float>(u);
+  hits.bary_v[lane] = static_cast<float>(v);
   hits.s[lane] = s_near + glm::dot(point - origin, k) / glm::dot(k, k);
 }
 

@@ -2,19 +2,21 @@
 
 #include <cstdint>
 
+#include "frames/packet.h"
+
 namespace restframe {
 
-// Counter-based random numbers: each is a function of what it is for, so that pictures do not
-// depend on the order in which threads come by.
-struct SampleId {
+// Counter-based random numbers: each is a function of what it is for, so that pictures do not depend on
+// the order in which threads come by.
+struct PacketId {
   std::uint64_t seed = 0;
   std::uint32_t picture = 0;
-  std::uint32_t pixel = 0;
   std::uint32_t sample = 0;
+  Lanes<std::uint32_t> pixel;  // number in the picture, row by row
 };
 
 // What a number is drawn for; keeps uses independent of each other.
-enum class Dimension : std::uint32_t { film_symmetry, opacity };
+enum class Dimension : std::uint32_t { opacity };
 
 // Steele and others' SplitMix64 finaliser: every input bit reaches every output bit.
 inline std::uint64_t mixed(std::uint64_t x) {
@@ -23,16 +25,13 @@ inline std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-inline std::uint64_t random_bits(const SampleId& id, Dimension dimension, std::uint32_t index = 0) {
-  const std::uint64_t what = (std::uint64_t{id.picture} << 32) | id.pixel;
-  const std::uint64_t which = (std::uint64_t{id.sample} << 32) |
-                              (std::uint64_t{static_cast<std::uint32_t>(dimension)} << 24) | index;
-  return mixed(mixed(mixed(id.seed + 0x9e3779b97f4a7c15ULL) ^ what) + which);
-}
-
-// In [0, 1).
-inline float random_unit(const SampleId& id, Dimension dimension, std::uint32_t index = 0) {
-  return static_cast<float>(random_bits(id, dimension, index) >> 40) * 0x1p-24F;
+// In [0, 1). index: tells numbers of one dimension apart, below 2^24.
+inline float random_unit(const PacketId& id, int lane, Dimension dimension, std::uint32_t index) {
+  const std::uint64_t where = (std::uint64_t{id.picture} << 32) | id.pixel[lane];
+  const std::uint64_t what = (std::uint64_t{id.sample} << 32) |
+                             (std::uint64_t{static_cast<std::uint32_t>(dimension)} << 24) | index;
+  const std::uint64_t bits = mixed(mixed(mixed(id.seed + 0x9e3779b97f4a7c15ULL) ^ where) + what);
+  return static_cast<float>(bits >> 40) * 0x1p-24F;
 }
 
 }  // namespace restframe
