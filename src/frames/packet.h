@@ -79,11 +79,14 @@ struct HitPacket {
   Lanes<std::int32_t> frame;      // index into the frame set; -1: nothing is hit
   Lanes<std::uint32_t> part;      // of that rest frame
   Lanes<std::uint32_t> triangle;  // of the part's mesh
-  Lanes<double> s;  // ray parameter: distance the light travelled as the camera measures it
-  Lanes<double> bary_u, bary_v;  // weights of the triangle's second and third corner
-  Lanes<double> rest_t;          // the ray origin's rest-frame time, and ...
-  Lanes<double> rest_k_t;        // ... the wave vector's time part there
-  Vec3Lanes origin, k;           // traversal coordinates
+  // Distance the light travelled as the camera measures it; Embree's float, from where the ray enters the
+  // frame's bounds on, until RestFrame::refine.
+  Lanes<double> s;
+  Lanes<float> bary_u, bary_v;  // weights of the triangle's second and third corner
+  Vec3fLanes facet_normal;      // Embree's: any length, in the coordinates of FramePart::positions
+  Lanes<double> rest_t;         // the ray origin's rest-frame time, and ...
+  Lanes<double> rest_k_t;       // ... the wave vector's time part there
+  Vec3Lanes origin, k;          // traversal coordinates
 };
 
 }  // namespace restframe
