@@ -1,12 +1,16 @@
-#include <cmath>
-
 #pragma GCC diagnostic push
+#ifndef __clang__
+// OpenMesh stores vectors before it gives them values.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wpedantic"
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #pragma GCC diagnostic pop
+
+#include <cmath>
 
 #include <fmt/format.h>
 
