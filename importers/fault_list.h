@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "importers/config_value.h"
+#include "scene/error.h"
+
+namespace restframe {
+
+// Collects the faults of one file, so that a user sees all at once.
+class FaultList {
+ public:
+  explicit FaultList(std::string file) : file_(std::move(file)) {}
+
+  void add(TextPosition at, const std::string& what);
+
+  // Those of another file that is named at `at`; they have positions of their own.
+  void add(TextPosition at, const InputError& error);
+
+  bool empty() const { return faults_.empty(); }
+
+  // Throws InputError with every fault, in the file's order, if there is any.
+  void throw_any() const;
+
+ private:
+  struct Fault {
+    TextPosition at;
+    std::string line;
+  };
+  std::string file_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace restframe

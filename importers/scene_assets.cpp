@@ -1,0 +1,47 @@
+#include "importers/scene_assets.h"
+
+#include <iterator>
+
+namespace restframe {
+namespace {
+
+template <class T>
+void move_into(std::vector<T>& target, std::vector<T>& source) {
+  target.insert(target.end(), std::make_move_iterator(source.begin()),
+                std::make_move_iterator(source.end()));
+}
+
+void shift(TextureUse& use, int first_texture) {
+  if (use.texture >= 0) use.texture += first_texture;
+}
+
+}  // namespace
+
+SceneAsset add_asset(Scene& scene, Asset asset) {
+  const int first_mesh = static_cast<int>(scene.meshes.size());
+  const int first_texture = static_cast<int>(scene.textures.size());
+  const int first_image = static_cast<int>(scene.images.size());
+  SceneAsset added;
+  for (const Part& part : asset.parts) {
+    added.parts.push_back({first_mesh + part.mesh, part.asset_from_mesh});
+  }
+  for (Texture& texture : asset.textures) texture.image += first_image;
+  for (Material& material : asset.materials) {
+    shift(material.base_color_texture, first_texture);
+    shift(material.metallic_roughness_texture, first_texture);
+    shift(material.emission_texture, first_texture);
+  }
+  added.materials = std::move(asset.materials);
+  move_into(scene.meshes, asset.meshes);
+  move_into(scene.textures, asset.textures);
+  move_into(scene.images, asset.images);
+  return added;
+}
+
+std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const Mat4& object_from_asset) {
+  std::vector<PlacedMesh> parts = asset.parts;
+  for (PlacedMesh& part : parts) part.object_from_mesh = object_from_asset * part.object_from_mesh;
+  return parts;
+}
+
+}  // namespace restframe

@@ -1,0 +1,87 @@
+#include "importers/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "importers/file_hash.h"
+#include "importers/input_file.h"
+#include "importers/material_assignment.h"
+#include "importers/referred_files.h"
+#include "importers/toml_text.h"
+
+namespace restframe {
+namespace {
+
+constexpr std::size_t largest_scene_file = 16'000'000;
+
+// What a scene built of these files must pass all the same; what a file could say is reported with
+// its position before.
+void check_whole(const Scene& scene, const Path& path) {
+  std::vector<std::string> faults = validate(scene);
+  if (faults.empty()) return;
+  for (std::string& fault : faults) fault = path.string() + ": " + fault;
+  throw InputError(std::move(faults));
+}
+
+Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& warnings) {
+  SceneFile file(path, limits, warnings);
+  const std::string text = read_input_file(path, std::min(limits.json_bytes, largest_scene_file));
+  const ConfigTable table = parse_toml(text, path.string());
+  add_source(file.scene, path.filename().string(), path);
+  TableReader root(table, {file.faults, ""});
+  read_settings(root, file);
+  read_camera(root, file);
+  read_objects(root, file);
+  const std::vector<MaterialChange> changes = read_material_changes(root, file);
+  root.not_supported({"light"});
+  root.finish();
+  if (file.names_complete) assign_materials(changes, file);
+  file.faults.throw_any();
+  check_whole(file.scene, path);
+  return std::move(file.scene);
+}
+
+// The asset as one object at rest at the world's origin.
+Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
+  Scene scene;
+  SceneAsset asset = add_asset(scene, load_asset(path, limits, warnings));
+  add_source(scene, path.filename().string(), path);
+  Object object;
+  object.name = path.stem().string();
+  object.parts = std::move(asset.parts);
+  scene.materials = std::move(asset.materials);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    object.materials.push_back(static_cast<int>(i));
+  }
+  scene.objects.push_back(std::move(object));
+  std::string stem = path.stem().string();
+  std::replace(stem.begin(), stem.end(), '#', '_');
+  scene.output.path = fmt::format("out/{}.####.exr", stem);
+  check_whole(scene, path);
+  return scene;
+}
+
+}  // namespace
+
+void add_source(Scene& scene, const std::string& name, const Path& path) {
+  const auto known = [&](const std::string& other) {
+    return std::any_of(scene.sources.begin(), scene.sources.end(),
+                       [&](const SourceFile& source) { return source.name == other; });
+  };
+  if (!known(name)) scene.sources.push_back({name, file_hash(path)});
+  for (const std::string& referred : referred_files(path)) {
+    const std::string its_name = (Path(name).parent_path() / referred).generic_string();
+    if (!known(its_name)) {
+      scene.sources.push_back({its_name, file_hash(path.parent_path() / referred)});
+    }
+  }
+}
+
+Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
+  const bool is_scene_file = lower_extension(path) == ".toml";
+  return is_scene_file ? load_scene_file(path, limits, warnings)
+                       : load_asset_scene(path, limits, warnings);
+}
+
+}  // namespace restframe

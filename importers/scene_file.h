@@ -1,0 +1,84 @@
+#pragma once
+
+// The scene file, read section by section (design, section 5). Sections add to one SceneFile;
+// lengths are divided by the scene's light_speed on the way in. Nothing throws but for memory:
+// faults are collected.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "importers/importers.h"
+#include "importers/scene_assets.h"
+#include "importers/toml_reader.h"
+#include "importers/value_rule.h"
+
+namespace restframe {
+
+// A name in the file that means a material.
+struct MaterialReference {
+  TextPosition at;
+  std::string name;
+};
+
+// Where an object takes its materials from.
+struct ObjectMaterials {
+  int asset = -1;  // index into SceneFile::assets; -1: it could not be read
+  std::optional<MaterialReference> all_slots;
+  std::map<int, MaterialReference> slots;
+};
+
+struct SceneFile {
+  SceneFile(Path file, const ImportLimits& import_limits, Warnings& import_warnings)
+      : path(std::move(file)),
+        limits(import_limits),
+        warnings(import_warnings),
+        faults(path.string()) {}
+
+  Path path;
+  const ImportLimits& limits;
+  Warnings& warnings;
+  FaultList faults;
+  Scene scene;
+  std::vector<SceneAsset> assets;
+  std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings
+  bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
+  std::vector<ObjectMaterials> object_materials;  // one an object
+};
+
+// A property as a file gives it: constant, or an index into Scene::functions.
+using Property = std::variant<TemporalValue, FunctionIndex>;
+
+// What one [[material]] says.
+struct MaterialChange {
+  TextPosition at;
+  std::string name;                         // exact, or a pattern in which * stands for anything
+  std::optional<MaterialReference> object;  // only there
+  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity;
+  std::optional<bool> base_color_texture, unlit;
+};
+
+// [scene], [animation], [exposure], [render], [output]
+void read_settings(TableReader& root, SceneFile& file);
+void read_camera(TableReader& root, SceneFile& file);
+void read_objects(TableReader& root, SceneFile& file);
+std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file);
+
+// The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
+std::optional<int> read_asset(TableReader& object, SceneFile& file);
+
+std::optional<Property> read_property(TableReader& table, const std::string& key,
+                                      const ValueRule& rule, SceneFile& file);
+
+// `velocity`, in fractions of c; at rest if it is not given.
+Velocity read_velocity(TableReader& table);
+
+// A vector of any length but zero, made one of length one.
+std::optional<Vec3> read_direction(TableReader& table, const std::string& key);
+
+// Notes a file that went into the scene. Throws InputError if it can not be read.
+void add_source(Scene& scene, const std::string& name, const Path& path);
+
+}  // namespace restframe

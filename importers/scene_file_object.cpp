@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "importers/scene_file.h"
+#include "scene/suggest.h"
+
+namespace restframe {
+namespace {
+
+Velocity read_motion(TableReader& object) {
+  object.one_of({"velocity", "gamma"});
+  const std::optional<double> gamma = object.number("gamma", from_to(1, 1e8));
+  const std::optional<Vec3> direction = read_direction(object, "direction");
+  if (object.has("gamma") != object.has("direction")) {
+    const std::string given = object.has("gamma") ? "gamma" : "direction";
+    object.report(object.key_place(given), "gamma and direction go together");
+  }
+  const Velocity velocity = read_velocity(object);
+  return gamma && direction ? Velocity::from_gamma(*gamma, *direction) : velocity;
+}
+
+void read_clock(TableReader& table, Object& object) {
+  const ConfigValue* value = table.find("clock");
+  if (!value) return;
+  const auto* text = std::get_if<std::string>(&value->data);
+  object.frame_clock = text && *text == "frame";
+  if (text && !object.frame_clock) {
+    table.report(value->at, fmt::format("clock is \"{}\", must be a number or \"frame\"", *text));
+  } else if (!text) {
+    object.clock = table.number("clock").value_or(0);
+  }
+}
+
+// Degrees about the fixed axes: first x, then y, then z.
+Mat4 rotation_matrix(const Vec3& degrees) {
+  const Vec3 angle = glm::radians(degrees);
+  return glm::rotate(Mat4(1), angle.z, Vec3(0, 0, 1)) *
+         glm::rotate(Mat4(1), angle.y, Vec3(0, 1, 0)) *
+         glm::rotate(Mat4(1), angle.x, Vec3(1, 0, 0));
+}
+
+Mat4 read_placement(TableReader& table, double light_speed) {
+  const Vec3 degrees = table.vector("rotation").value_or(Vec3(0));
+  const double scale = table.number("scale", above(0)).value_or(1);
+  return glm::scale(rotation_matrix(degrees), Vec3(scale / light_speed));
+}
+
+void add_slot_materials(const ConfigEntry& entry, const SceneAsset& asset, const Reporter& report,
+                        ObjectMaterials& materials) {
+  const auto name = read_text(entry.value, entry.key, report);
+  std::vector<std::string> slots;
+  bool found = false;
+  for (std::size_t slot = 0; slot < asset.materials.size(); ++slot) {
+    slots.push_back(asset.materials[slot].name);
+    if (slots.back() != entry.key) continue;
+    found = true;
+    if (name) materials.slots[static_cast<int>(slot)] = {entry.value.at, *name};
+  }
+  if (!found) {
+    report(entry.key_at, fmt::format("the asset has no material \"{}\", the nearest is \"{}\"",
+                                     entry.key, nearest(entry.key, slots)));
+  }
+}
+
+ObjectMaterials read_materials(TableReader& table, std::optional<int> asset,
+                               const SceneFile& file) {
+  ObjectMaterials materials;
+  materials.asset = asset.value_or(-1);
+  if (const auto name = table.text("material")) {
+    materials.all_slots = MaterialReference{table.place("material"), *name};
+  }
+  const ConfigTable* by_slot = table.table("materials");
+  if (!by_slot || !asset) return materials;
+  const Reporter report{table.report.faults, table.report.name + ": materials"};
+  for (const ConfigEntry& entry : by_slot->entries) {
+    add_slot_materials(entry, file.assets[static_cast<std::size_t>(*asset)], report, materials);
+  }
+  return materials;
+}
+
+std::string read_name(const ConfigTable& table, SceneFile& file) {
+  const std::string fallback = fmt::format("object_{}", file.scene.objects.size() + 1);
+  TableReader reader(table, {file.faults, fallback});
+  const std::string name = reader.text("name").value_or(fallback);
+  const auto& objects = file.scene.objects;
+  const auto same = [&](const Object& object) { return object.name == name; };
+  if (std::any_of(objects.begin(), objects.end(), same)) {
+    file.faults.add(reader.place("name"), fmt::format("two objects have the name \"{}\"", name));
+  }
+  return name;
+}
+
+void read_object(const ConfigTable& table, SceneFile& file) {
+  Object object;
+  object.name = read_name(table, file);
+  TableReader reader(table, {file.faults, fmt::format("object \"{}\"", object.name)});
+  reader.find("name");
+  const double light_speed = file.scene.light_speed;
+  object.worldline.reference.x = reader.vector("position").value_or(Vec3(0)) / light_speed;
+  object.worldline.reference.t = reader.number("time").value_or(0);
+  object.worldline.velocity = read_motion(reader);
+  read_clock(reader, object);
+  const Mat4 object_from_asset = read_placement(reader, light_speed);
+  const std::optional<int> asset = read_asset(reader, file);
+  if (asset) {
+    object.parts = placed_parts(file.assets[static_cast<std::size_t>(*asset)], object_from_asset);
+  }
+  file.object_materials.push_back(read_materials(reader, asset, file));
+  reader.not_supported({"node"});
+  reader.finish();
+  file.scene.objects.push_back(std::move(object));
+}
+
+}  // namespace
+
+void read_objects(TableReader& root, SceneFile& file) {
+  for (const ConfigTable* table : root.tables("object")) read_object(*table, file);
+  if (!root.has("object")) {
+    root.report(root.place(), "there is no [[object]], must be at least one");
+  }
+}
+
+}  // namespace restframe

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "importers/scene_file.h"
+#include "scene/output_pattern.h"
+
+namespace restframe {
+namespace {
+
+// In the order of the enumerations Layer and Compression.
+const std::vector<std::string> layer_names = {"beauty", "Z", "time", "doppler",
+                                              "N",      "P", "UV",   "id"};
+const std::vector<std::string> compression_names = {"none", "rle",   "zips", "zip",
+                                                    "piz",  "pxr24", "dwaa", "dwab"};
+
+bool is_later_layer(const std::string& name) {
+  static const std::vector<std::string> later = {
+      "motion",        "albedo",          "normal",       "direct",   "indirect",
+      "emission",      "reflection",      "transmission", "variance", "samples",
+      "crypto_object", "crypto_material", "crypto_asset"};
+  return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
+}
+
+void read_scene(TableReader& root, SceneFile& file) {
+  const ConfigTable* table = root.table("scene");
+  if (!table) return;
+  TableReader scene(*table, {file.faults, "scene"});
+  file.scene.light_speed = scene.number("light_speed", above(0)).value_or(1);
+  scene.finish();
+}
+
+void read_animation(TableReader& root, SceneFile& file) {
+  const ConfigTable* table = root.table("animation");
+  if (!table) return;
+  TableReader animation(*table, {file.faults, "animation"});
+  AnimationSettings& settings = file.scene.animation;
+  settings.rate = animation.number("rate", above(0)).value_or(settings.rate);
+  settings.start = animation.number("start").value_or(settings.start);
+  settings.pictures = animation.integer("pictures", 1, 1'000'000).value_or(settings.pictures);
+  animation.finish();
+}
+
+// One exposure without duration is what is done; `interval` and `combine` mean nothing to it.
+void read_exposure(TableReader& root, SceneFile& file) {
+  const ConfigTable* table = root.table("exposure");
+  if (!table) return;
+  TableReader exposure(*table, {file.faults, "exposure"});
+  if (exposure.number("shutter", at_least(0)).value_or(0) != 0) {
+    exposure.not_supported(exposure.key_place("shutter"), "shutter");
+  }
+  if (exposure.integer("count", 1, 1'000'000).value_or(1) != 1) {
+    exposure.not_supported(exposure.key_place("count"), "count");
+  }
+  exposure.number("interval");
+  exposure.choice("combine", {"sum", "mean", "max"});
+  exposure.finish();
+}
+
+void read_resolution(TableReader& render, RenderSettings& settings) {
+  const ConfigValue* value = render.find("resolution");
+  if (!value) return;
+  const auto* array = std::get_if<ConfigArray>(&value->data);
+  if (!array || array->size() != 2) {
+    render.report(value->at, "resolution must be [width, height]");
+    return;
+  }
+  const auto width = read_whole_number((*array)[0], "width", 1, 32'768, render.report);
+  const auto height = read_whole_number((*array)[1], "height", 1, 32'768, render.report);
+  settings.width = static_cast<int>(width.value_or(settings.width));
+  settings.height = static_cast<int>(height.value_or(settings.height));
+}
+
+void read_render(TableReader& root, SceneFile& file) {
+  const ConfigTable* table = root.table("render");
+  if (!table) return;
+  TableReader render(*table, {file.faults, "render"});
+  RenderSettings& settings = file.scene.render;
+  read_resolution(render, settings);
+  settings.samples = render.integer("samples", 1, 65'536).value_or(settings.samples);
+  settings.beaming = render.boolean("beaming").value_or(settings.beaming);
+  settings.seed = static_cast<std::uint64_t>(
+      render.whole_number("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0));
+  if (render.choice("integrator", {"preview", "path"}) == std::size_t{1}) {
+    render.not_supported(render.place("integrator"), "path");
+  }
+  if (render.boolean("doppler").value_or(false)) {
+    render.not_supported(render.key_place("doppler"), "doppler");
+  }
+  render.not_supported({"depth"});
+  render.finish();
+}
+
+std::vector<Layer> read_layers(const ConfigArray& names, TableReader& output) {
+  std::vector<Layer> layers;
+  for (const ConfigValue& value : names) {
+    const std::optional<std::string> name = read_text(value, "a layer", output.report);
+    if (name && is_later_layer(*name)) {
+      output.not_supported(value.at, *name);
+    } else if (name) {
+      const auto index = read_choice(value.at, *name, "a layer", layer_names, output.report);
+      if (!index) continue;
+      const Layer layer = static_cast<Layer>(*index);
+      if (std::find(layers.begin(), layers.end(), layer) != layers.end()) {
+        output.report(value.at, fmt::format("the layer \"{}\" is given twice", *name));
+      }
+      layers.push_back(layer);
+    }
+  }
+  return layers;
+}
+
+void read_layers(TableReader& output, OutputSettings& settings) {
+  const ConfigValue* value = output.find("layers");
+  if (!value) return;
+  const auto* names = std::get_if<ConfigArray>(&value->data);
+  if (!names || names->empty()) {
+    output.report(value->at, "layers must be an array of at least one layer's name");
+    return;
+  }
+  settings.layers = read_layers(*names, output);
+}
+
+void read_output(TableReader& root, SceneFile& file) {
+  OutputSettings& settings = file.scene.output;
+  const ConfigTable* table = root.table("output");
+  if (!table) return;
+  TableReader output(*table, {file.faults, "output"});
+  if (const auto path = output.text("path")) {
+    settings.path = *path;
+    const auto fault = output_pattern_fault(*path, file.scene.animation.pictures);
+    if (fault) output.report(output.place("path"), *fault);
+  }
+  read_layers(output, settings);
+  if (const auto index = output.choice("compression", compression_names)) {
+    settings.compression = static_cast<Compression>(*index);
+  }
+  settings.preview = output.boolean("preview").value_or(settings.preview);
+  output.not_supported({"split"});
+  output.finish();
+}
+
+}  // namespace
+
+void read_settings(TableReader& root, SceneFile& file) {
+  read_scene(root, file);
+  read_animation(root, file);
+  read_exposure(root, file);
+  read_render(root, file);
+  read_output(root, file);
+}
+
+}  // namespace restframe

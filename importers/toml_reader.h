@@ -1,0 +1,102 @@
+#pragma once
+
+// Typed reading of one table of a settings file. A key is known once it has been asked for;
+// finish() reports the others. What is wrong goes to the fault list and reads as absent.
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importers/config_value.h"
+#include "importers/fault_list.h"
+#include "physics/vectors.h"
+
+namespace restframe {
+
+// The numbers that a key allows; always finite ones.
+struct Range {
+  double low = -std::numeric_limits<double>::max(), high = std::numeric_limits<double>::max();
+  bool low_open = false, high_open = false;
+
+  bool contains(double x) const;
+  std::string text() const;  // "above 0", "from 0 to 1"
+};
+Range above(double low);
+Range at_least(double low);
+Range from_to(double low, double high);
+Range between(double low, double high);  // both excluded
+
+// Where faults go, with the name of what is being read ("camera") before each.
+struct Reporter {
+  FaultList& faults;
+  std::string name;
+
+  void operator()(TextPosition at, const std::string& what) const;
+};
+
+// One value; `what` names it in faults.
+std::optional<double> read_number(const ConfigValue& value, const std::string& what,
+                                  const Range& range, const Reporter& report);
+std::optional<std::string> read_text(const ConfigValue& value, const std::string& what,
+                                     const Reporter& report);
+std::optional<Vec3> read_vector(const ConfigValue& value, const std::string& what,
+                                const Range& range, const Reporter& report);
+
+std::optional<std::int64_t> read_whole_number(const ConfigValue& value, const std::string& what,
+                                              std::int64_t low, std::int64_t high,
+                                              const Reporter& report);
+
+// The index of `chosen` in `names`.
+std::optional<std::size_t> read_choice(TextPosition at, const std::string& chosen,
+                                       const std::string& what,
+                                       const std::vector<std::string>& names,
+                                       const Reporter& report);
+
+class TableReader {
+ public:
+  TableReader(const ConfigTable& table, Reporter reporter)
+      : report(std::move(reporter)), table_(table) {}
+
+  const Reporter report;
+
+  const ConfigValue* find(const std::string& key);
+  bool has(const std::string& key) { return find(key) != nullptr; }
+
+  std::optional<double> number(const std::string& key, const Range& range = {});
+  std::optional<int> integer(const std::string& key, int low, int high);
+  std::optional<std::int64_t> whole_number(const std::string& key, std::int64_t low,
+                                           std::int64_t high);
+  std::optional<bool> boolean(const std::string& key);
+  std::optional<std::string> text(const std::string& key);
+  std::optional<Vec3> vector(const std::string& key, const Range& range = {});
+  const ConfigTable* table(const std::string& key);
+
+  // The tables of [[key]].
+  std::vector<const ConfigTable*> tables(const std::string& key);
+
+  // The index in `names` of the text under `key`.
+  std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& names);
+
+  // Of the keys that exclude each other, the one that is there; more than one is a fault.
+  std::optional<std::string> one_of(const std::vector<std::string>& keys);
+
+  // Keys that mean something, but not to this version.
+  void not_supported(const std::vector<std::string>& keys);
+  void not_supported(TextPosition at, const std::string& word);
+
+  // Where the key's value stands; the table's own place if the key is absent.
+  TextPosition place(const std::string& key) const;
+  TextPosition place() const { return table_.at; }
+  TextPosition key_place(const std::string& key) const;
+
+  // Reports every key that nobody asked for.
+  void finish();
+
+ private:
+  const ConfigTable& table_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace restframe

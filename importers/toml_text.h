@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "importers/config_value.h"
+
+namespace restframe {
+
+// Parses TOML. Throws InputError ("FILE:LINE:COLUMN: what") where it is none.
+ConfigTable parse_toml(const std::string& text, const std::string& file);
+
+}  // namespace restframe
