@@ -4,7 +4,7 @@
 #pragma GCC diagnostic ignored "-Wpedantic"
 #pragma GCC diagnostic ignored "-Wextra"
 #pragma GCC diagnostic ignored "-Wall"
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #pragma GCC diagnostic pop
 
 #include <stdexcept>
@@ -14,32 +14,25 @@
 namespace restframe {
 namespace {
 
-// Edges carry a status, for its feature bit: creases.
-struct CreaseTraits : OpenMesh::DefaultTraits {
-  VertexAttributes(OpenMesh::Attributes::None);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
-  EdgeAttributes(OpenMesh::Attributes::Status);
-  FaceAttributes(OpenMesh::Attributes::None);
-};
-using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<CreaseTraits>;
-using HalfedgeHandle = HalfEdgeMesh::HalfedgeHandle;
+using HalfEdgeMesh = OpenMesh::TriConnectivity;
+using OpenMesh::HalfedgeHandle;
 
 // Face numbers are triangle numbers, vertex numbers are positions. No coordinates: only the
 // connections.
-HalfEdgeMesh connect(const Surface& surface) {
-  HalfEdgeMesh mesh;
+void connect(HalfEdgeMesh& mesh, const Surface& surface) {
   const std::size_t faces = surface.triangles.size();
   mesh.reserve(surface.positions, faces + surface.positions, faces);
-  for (std::uint32_t i = 0; i < surface.positions; ++i) mesh.new_vertex();
+  for (std::uint32_t i = 0; i < surface.positions; ++i) mesh.add_vertex();
   const auto vertex = [&](std::uint32_t i) { return mesh.vertex_handle(i); };
   for (const Triangle& t : surface.triangles) {
     const auto face = mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
     if (!face.is_valid()) throw std::logic_error("half_edge_sectors: the surface does not fit");
   }
-  return mesh;
 }
 
+// Creases are edges with the feature bit.
 void mark_creases(HalfEdgeMesh& mesh, const Surface& surface, double cos_crease) {
+  mesh.request_edge_status();
   for (const auto edge : mesh.edges()) {
     const auto a = mesh.face_handle(mesh.halfedge_handle(edge, 0));
     const auto b = mesh.face_handle(mesh.halfedge_handle(edge, 1));
@@ -75,7 +68,8 @@ HalfedgeHandle turn_on(const HalfEdgeMesh& mesh, HalfedgeHandle halfedge) {
 
 Sectors half_edge_sectors(const Surface& surface, double cos_crease) {
   constexpr std::uint32_t none = 0xFFFFFFFFU;
-  HalfEdgeMesh mesh = connect(surface);
+  HalfEdgeMesh mesh;
+  connect(mesh, surface);
   mark_creases(mesh, surface, cos_crease);
   Sectors result;
   result.sector.assign(3 * surface.triangles.size(), none);

@@ -155,8 +155,8 @@ void ObjChecker::check_index(std::string_view word, Elements& elements) {
   if (error == std::errc::invalid_argument || stop != end) {
     file_.fail(word, fmt::format("{} is not a {} index", quote(word), elements.name));
   }
-  if (index == 0) file_.fail(word, fmt::format("{} index 0: the first is 1", elements.name));
   if (error == std::errc::result_out_of_range) index = word[0] == '-' ? INT64_MIN : INT64_MAX;
+  if (index == 0) file_.fail(word, fmt::format("{} index 0: the first is 1", elements.name));
   if (index < -elements.count) {
     file_.fail(word, fmt::format("{} index {}: only {} {} lines come before it", elements.name,
                                  word, elements.count, elements.name));
@@ -212,7 +212,10 @@ void ObjChecker::finish(Warnings& warnings) {
     return std::max({c.r, c.g, c.b, c.a}) > 1;
   });
   if (bytes) {
-    for (Vec4f& color : colors_) color = glm::min(color / 255.0F, Vec4f(1));
+    for (Vec4f& color : colors_) {
+      const float alpha = color.a > 1 ? color.a / 255 : color.a;  // 1 where none is given
+      color = glm::min(Vec4f(Vec3f(color) / 255.0F, alpha), Vec4f(1));
+    }
     warnings.push_back(file_.path().string() + ": vertex colours beyond 1 are taken as 0 to 255");
   }
 }

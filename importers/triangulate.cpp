@@ -93,17 +93,20 @@ bool PolygonCutter::is_ear(std::uint32_t corner) {
   if (turn(corner) <= 0) return false;
   const auto [previous, next] = links_[corner];
   const Vec2 &a = points_[previous], &b = points_[corner], &c = points_[next];
-  for (std::size_t i = 0; i < concave_.size();) {
+  const Vec2 lower = glm::min(glm::min(a, b), c), upper = glm::max(glm::max(a, b), c);
+  for (std::size_t i = 0; i < concave_.size(); ++i) {
     const std::uint32_t other = concave_[i];
     --tests_left_;
-    if (links_[other].next == other || turn(other) > 0) {  // cut off, or convex by now
-      concave_[i] = concave_.back();
-      concave_.pop_back();
-      continue;
-    }
     const Vec2& point = points_[other];
-    if (point != a && point != b && point != c && covers(a, b, c, point)) return false;
-    ++i;
+    const bool near =
+        point.x >= lower.x && point.x <= upper.x && point.y >= lower.y && point.y <= upper.y;
+    if (!near && links_[other].next != other) continue;
+    if (links_[other].next == other || turn(other) > 0) {  // cut off, or convex by now
+      concave_[i--] = concave_.back();
+      concave_.pop_back();
+    } else if (point != a && point != b && point != c && covers(a, b, c, point)) {
+      return false;
+    }
   }
   return true;
 }

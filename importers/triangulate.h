@@ -33,7 +33,7 @@ class PolygonCutter {
   void cut_quad(std::uint32_t first, std::vector<Triangle>& triangles) const;
   void cut_fan(std::uint32_t first, std::vector<Triangle>& triangles) const;
 
-  std::int64_t tests_left_ = 200'000'000;
+  std::int64_t tests_left_ = 150'000'000;
   std::vector<Vec2> points_;            // the corners in the polygon's plane, counter-clockwise
   std::vector<Link> links_;             // of the corners not yet cut off
   std::vector<std::uint32_t> concave_;  // corners that may lie in an ear
