@@ -24,6 +24,17 @@ std::string_view until(std::string_view line, std::string_view word) {
   return line.substr(0, static_cast<std::size_t>(word.data() - line.data()));
 }
 
+// Blanks slashes that no index follows: tinyobjloader would take the next corner's.
+std::string without_open_ends(std::string_view line) {
+  std::string result(line);
+  bool open = true;
+  for (auto c = result.rbegin(); c != result.rend(); ++c) {
+    if (*c == '/' && open) *c = ' ';
+    open = *c == ' ' || *c == '\t';
+  }
+  return result;
+}
+
 const char* why_unused(std::string_view keyword) {
   if (keyword == "p") return "points are not renderable, skipped";
   if (keyword == "l") return "lines are not renderable, skipped";
@@ -40,6 +51,7 @@ bool ObjChecker::next_line(std::string_view& line) {
 }
 
 bool ObjChecker::check(std::string_view& line) {
+  const std::string_view whole = line;
   std::string_view rest = line;
   const std::string_view keyword = take_word(rest);
   if (keyword.empty() || keyword[0] == '#') return false;
@@ -60,7 +72,7 @@ bool ObjChecker::check(std::string_view& line) {
     note_unused(keyword);
     return false;
   }
-  check_size(line);
+  check_size(whole);
   return true;
 }
 
@@ -113,12 +125,14 @@ void ObjChecker::check_vector(std::string_view& line, std::string_view rest, Ele
 
 void ObjChecker::check_face(std::string_view& line, std::string_view rest) {
   std::uint64_t corners = 0;
+  bool open_end = false;  // "1/" or "1//"
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     if (word[0] == '#') {
       line = until(line, word);
       break;
     }
     check_corner(word);
+    open_end = open_end || word.back() == '/';
     ++corners;
   }
   if (corners < 3)
@@ -128,6 +142,7 @@ void ObjChecker::check_face(std::string_view& line, std::string_view rest) {
   if (triangles_ > limits_.triangles) {
     file_.fail(line, fmt::format("more than {} triangles, the limit", limits_.triangles));
   }
+  if (open_end) line = mended_ = without_open_ends(line);
 }
 
 // v, v/vt, v//vn or v/vt/vn; empty ones at the end are taken as absent.

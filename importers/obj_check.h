@@ -63,6 +63,7 @@ class ObjChecker {
   const ImportLimits& limits_;
   Elements vertices_{"v"}, uvs_{"vt"}, normals_{"vn"};
   std::uint64_t corners_ = 0, triangles_ = 0;
+  std::string mended_;           // the line at hand, where it must be changed
   std::vector<double> numbers_;  // of the line at hand
   std::vector<Vec4f> colors_;
   std::vector<ObjLibrary> libraries_;
