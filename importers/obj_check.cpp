@@ -13,6 +13,7 @@ namespace restframe {
 namespace {
 
 constexpr double greatest_number = 1e15;
+constexpr std::size_t most_libraries = 1000;
 constexpr std::size_t most_keywords = 16;  // unused ones that get a warning each
 
 // "v" lines (x y z), with w, with r g b, with r g b a.
@@ -185,6 +186,10 @@ void ObjChecker::check_index(std::string_view word, Elements& elements) {
 void ObjChecker::add_library(std::string_view line, std::string_view rest) {
   const std::string_view names = trimmed(rest);
   if (names.empty()) file_.fail(line, "mtllib without a file name");
+  if (!library_names_.emplace(names).second) return;
+  if (libraries_.size() >= most_libraries) {
+    file_.fail(line, fmt::format("more than {} mtllib statements, the limit", most_libraries));
+  }
   libraries_.push_back({std::string(names), file_.position(names)});
 }
 

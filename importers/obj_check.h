@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +68,7 @@ class ObjChecker {
   std::vector<double> numbers_;  // of the line at hand
   std::vector<Vec4f> colors_;
   std::vector<ObjLibrary> libraries_;
+  std::set<std::string, std::less<>> library_names_;
   std::map<std::string, Unused, std::less<>> unused_;
 };
 
