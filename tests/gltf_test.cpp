@@ -189,6 +189,16 @@ TEST_F(Gltf, ReadsSparseAccessorsOverZerosAndOverViews) {
   }
 }
 
+TEST_F(Gltf, ReadsIndicesWithoutAViewAsZeros) {
+  GltfBuilder builder = test::one_triangle();
+  builder.json["accessors"][1].erase("bufferView");
+  EXPECT_EQ(load(builder).meshes.at(0).triangles, (std::vector<Triangle>{{0, 0, 0}}));
+  builder.json["accessors"][0].erase("bufferView");
+  builder.json.erase("bufferViews");
+  builder.bin.clear();
+  EXPECT_EQ(load(builder).meshes.at(0).positions.at(2), Vec3f(0));
+}
+
 TEST_F(Gltf, JoinsPrimitivesAndDropsVerticesTheyDoNotUse) {
   GltfBuilder builder;
   const std::vector<float> square = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
