@@ -161,11 +161,24 @@ TEST_F(Gltf, ReadsSparseAccessorsOverZerosAndOverViews) {
 TEST_F(Gltf, ReadsIndicesWithoutAViewAsZeros) {
   GltfBuilder builder = test::one_triangle();
   builder.json["accessors"][1].erase("bufferView");
-  EXPECT_EQ(load(builder).meshes.at(0).triangles, (std::vector<Triangle>{{0, 0, 0}}));
   builder.json["accessors"][0].erase("bufferView");
   builder.json.erase("bufferViews");
   builder.bin.clear();
-  EXPECT_EQ(load(builder).meshes.at(0).positions.at(2), Vec3f(0));
+  const Mesh mesh = load(builder).meshes.at(0);
+  ASSERT_EQ(mesh.triangles.size(), 1U);
+  for (const std::uint32_t vertex : mesh.triangles[0]) EXPECT_EQ(mesh.positions[vertex], Vec3f(0));
+}
+
+TEST_F(Gltf, IndicesWithoutAViewAllNameTheFirstVertex) {
+  GltfBuilder builder;
+  const int positions = builder.add_accessor<float>({4, 5, 6, 1, 0, 0, 0, 1, 0}, "VEC3");
+  const int indices =
+      builder.add("accessors", {{"componentType", 5125}, {"type", "SCALAR"}, {"count", 3}});
+  builder.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", indices}});
+  const Mesh mesh = load(builder).meshes.at(0);
+  for (const std::uint32_t vertex : mesh.triangles.at(0)) {
+    EXPECT_EQ(mesh.positions[vertex], Vec3f(4, 5, 6));
+  }
 }
 
 TEST_F(Gltf, JoinsPrimitivesAndDropsVerticesTheyDoNotUse) {
