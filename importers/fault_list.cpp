@@ -24,7 +24,9 @@ void FaultList::add(TextPosition at, const std::string& what) {
 }
 
 void FaultList::add(TextPosition at, const InputError& error) {
-  for (const std::string& fault : error.faults()) faults_.push_back({at, on_one_line(fault)});
+  for (const std::string& fault : error.faults()) {
+    if (!is_full()) faults_.push_back({at, on_one_line(fault)});
+  }
 }
 
 void FaultList::throw_any() const {
