@@ -19,6 +19,7 @@ std::string on_one_line(std::string text) {
 }  // namespace
 
 void FaultList::add(TextPosition at, const std::string& what) {
+  if (is_full()) return;
   faults_.push_back(
       {at, on_one_line(fmt::format("{}:{}:{}: {}", file_, at.line, at.column, what))});
 }
