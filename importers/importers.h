@@ -1,8 +1,8 @@
 #pragma once
 
-// What reads files into scenes and assets, and writes authored assets. Every function throws InputError
-// (one line: FILE:LINE:COLUMN or FILE:/json/pointer, what, the value, the limit) on whatever it can not
-// use, and appends to `warnings` what it leaves out.
+// What reads files into scenes and assets, and writes authored assets. Every function throws
+// InputError (one line: FILE:LINE:COLUMN or FILE:/json/pointer, what, the value, the limit) on
+// whatever it can not use, and appends to `warnings` what it leaves out.
 
 #include <cstddef>
 #include <cstdint>

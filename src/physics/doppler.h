@@ -4,8 +4,8 @@
 
 namespace restframe {
 
-// D = nu_observed / nu_emitted of light that is emitted in the frame of `k` and seen by the camera whose
-// ray it is (k.t = -1 in the camera's frame). Equals the paper's alpha, equation 3.
+// D = nu_observed / nu_emitted of light that is emitted in the frame of `k` and seen by the camera
+// whose ray it is (k.t = -1 in the camera's frame). Equals the paper's alpha, equation 3.
 template <class Frame>
 double doppler_factor(const WaveVector<Frame>& k) {
   return -1.0 / k.t;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Events and wave vectors, each in a frame that the compiler knows: a world event cannot be used as a
-// rest-frame one. Units: c = 1, seconds and light-seconds; metric (-,+,+,+); right-handed axes.
+// Events and wave vectors, each in a frame that the compiler knows: a world event cannot be used as
+// a rest-frame one. Units: c = 1, seconds and light-seconds; metric (-,+,+,+); right-handed axes.
 
 #include <cmath>
 
@@ -30,8 +30,9 @@ struct Event {
   Vec3 x{0, 0, 0};
 };
 
-// The null 4-vector along a ray, traced backwards in time: t = -|x|. Minus its time part is the light's
-// frequency in this frame over its frequency in the camera's (design: one ray, one parameter).
+// The null 4-vector along a ray, traced backwards in time: t = -|x|. Minus its time part is the
+// light's frequency in this frame over its frequency in the camera's (design: one ray, one
+// parameter).
 template <class Frame>
 struct WaveVector {
   double t = -1;

@@ -2,26 +2,31 @@
 
 // Pure boosts. Both frames share axes up to the boost (no rotation), as the design lays down.
 //
-// With u = gamma beta of the target frame as the source frame measures it, a displacement (t, x) becomes
+// With u = gamma beta of the target frame as the source frame measures it, a displacement (t, x)
+// becomes
 //     t' = gamma t - u.x                x' = x + u ((u.x) / (gamma + 1) - t).
-// Nothing divides by |u|, so rest is not special. For null vectors these differences cancel: head-on at
-// gamma = 10^6 they leave an error of 5e-4 in the frequency. There, with omega = |x| = -t,
+// Nothing divides by |u|, so rest is not special. For null vectors these differences cancel:
+// head-on at gamma = 10^6 they leave an error of 5e-4 in the frequency. There, with omega = |x| =
+// -t,
 //     omega' = gamma omega + u.x = (omega^2 + |u x x|^2) / (gamma omega - u.x)   where u.x < 0,
-// which has no difference left, and x' = x + u (omega + omega') / (gamma + 1), rescaled to |x'| = omega'.
+// which has no difference left, and x' = x + u (omega + omega') / (gamma + 1), rescaled to |x'| =
+// omega'.
 
 #include "physics/four_vector.h"
 #include "physics/velocity.h"
 
 namespace restframe {
 
-// Named target first: `Boost<in::Rest, in::World> rest_from_world` takes world vectors to the rest frame.
+// Named target first: `Boost<in::Rest, in::World> rest_from_world` takes world vectors to the rest
+// frame.
 template <class To, class From>
 class Boost {
  public:
   Boost() = default;
 
   // velocity: of the frame `To`, measured in the frame `From`.
-  explicit Boost(const Velocity& velocity) : velocity_(velocity) {}
+  explicit Boost(const Velocity& velocity)
+      : velocity_(velocity), inverse_gamma_plus_1_(1.0 / (velocity.gamma() + 1.0)) {}
 
   const Velocity& velocity() const { return velocity_; }
   Boost<From, To> inverse() const { return Boost<From, To>(-velocity_); }
@@ -30,7 +35,7 @@ class Boost {
     const Vec3& u = velocity_.gamma_beta();
     const double gamma = velocity_.gamma();
     const double u_dot_x = glm::dot(u, d.x);
-    return {gamma * d.t - u_dot_x, d.x + u * (u_dot_x / (gamma + 1.0) - d.t)};
+    return {gamma * d.t - u_dot_x, d.x + u * (u_dot_x * inverse_gamma_plus_1_ - d.t)};
   }
 
   WaveVector<To> operator()(const WaveVector<From>& k) const {
@@ -40,15 +45,17 @@ class Boost {
     const double u_dot_x = glm::dot(u, k.x);
     const Vec3 u_cross_x = glm::cross(u, k.x);
     const double omega_to =
-        u_dot_x < 0.0
-            ? (omega * omega + glm::dot(u_cross_x, u_cross_x)) / (gamma * omega - u_dot_x)
-            : gamma * omega + u_dot_x;
-    const Vec3 x_to = k.x + u * ((omega + omega_to) / (gamma + 1.0));
-    return {-omega_to, x_to * (omega_to / glm::length(x_to))};
+        u_dot_x < 0.0 ? (omega * omega + glm::dot(u_cross_x, u_cross_x)) / (gamma * omega - u_dot_x)
+                      : gamma * omega + u_dot_x;
+    const Vec3 x_to = k.x + u * ((omega + omega_to) * inverse_gamma_plus_1_);
+    // omega_to / |x_to| to first order in their difference, which is rounding: what is left is its square.
+    const double squared_ratio = glm::dot(x_to, x_to) / (omega_to * omega_to);
+    return {-omega_to, x_to * (1.5 - 0.5 * squared_ratio)};
   }
 
  private:
   Velocity velocity_;
+  double inverse_gamma_plus_1_ = 0.5;
 };
 
 // The velocity, in the frame `From`, of something that moves with `velocity` in the frame `To`.
@@ -58,8 +65,9 @@ Velocity composed(const Boost<To, From>& to_from, const Velocity& velocity) {
   return Velocity::from_gamma_beta(to_from.inverse()(four_velocity).x);
 }
 
-// Where a frame's own coordinates begin: times and places in it are told from `anchor`, an event near the
-// things at rest there, so that large world coordinates cancel before they are multiplied by gamma.
+// Where a frame's own coordinates begin: times and places in it are told from `anchor`, an event
+// near the things at rest there, so that large world coordinates cancel before they are multiplied
+// by gamma.
 template <class To>
 struct AnchoredFrame {
   Event<in::World> anchor;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Vectors and matrices, from GLM. Double wherever spacetime is computed; float where Embree, textures
-// and pixels are.
+// Vectors and matrices, from GLM. Double wherever spacetime is computed; float where Embree,
+// textures and pixels are.
 
 #include <glm/glm.hpp>
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/vectors.h"
 
 namespace restframe {
 
-// A velocity held as gamma * beta, which keeps its digits at any speed: 1 - beta loses them near light.
+// A velocity held as gamma * beta, which keeps its digits at any speed: near light, 1 - beta does
+// not.
 class Velocity {
  public:
   Velocity() = default;
@@ -19,7 +21,10 @@ class Velocity {
 
   // gamma >= 1; direction of any length but zero.
   static Velocity from_gamma(double gamma, const Vec3& direction) {
-    return Velocity(std::sqrt((gamma - 1.0) * (gamma + 1.0)) * glm::normalize(direction));
+    // Scaled first: the square of a very long or short direction overflows or vanishes.
+    const double largest =
+        std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    return Velocity(std::sqrt((gamma - 1.0) * (gamma + 1.0)) * glm::normalize(direction / largest));
   }
 
   static Velocity from_gamma_beta(const Vec3& gamma_beta) { return Velocity(gamma_beta); }

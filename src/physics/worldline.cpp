@@ -3,7 +3,7 @@
 namespace restframe {
 
 Event<in::Rest> seen_event(const AnchoredFrame<in::Rest>& rest, const Event<in::World>& observer,
-                       const Vec3& point) {
+                           const Vec3& point) {
   const Event<in::Rest> from = rest(observer);
   return {from.t - glm::length(point - from.x), point};
 }

@@ -12,13 +12,13 @@ namespace restframe {
 // A mesh placed in the asset's coordinates.
 struct Part {
   int mesh = 0;
-  std::string node;       // the node's name, for messages and `info`
+  std::string node;         // the node's name, for messages and `info`
   Mat4 asset_from_mesh{1};  // affine; may mirror
 };
 
 // What an importer makes of a file, in the file's own units.
 struct Asset {
-  std::string name;                 // file name without its folder
+  std::string name;  // file name without its folder
   std::vector<Mesh> meshes;
   std::vector<Part> parts;
   std::vector<Material> materials;  // slots of the meshes' material ranges; at least one

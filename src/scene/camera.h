@@ -6,8 +6,8 @@
 
 namespace restframe {
 
-// Aim: a unit direction in the camera's rest frame, or a point at rest in the world, aimed at where it is
-// seen (design, section 1).
+// Aim: a unit direction in the camera's rest frame, or a point at rest in the world, aimed at where
+// it is seen (design, section 1).
 struct AimDirection {
   Vec3 direction{0, 0, -1};
 };
@@ -19,7 +19,7 @@ struct AimPoint {
 struct Camera {
   Worldline worldline;
   std::variant<AimDirection, AimPoint> aim;
-  Vec3 up{0, 1, 0};         // in the camera's axes with a direction; the world's, aberrated, with a point
+  Vec3 up{0, 1, 0};  // in the camera's axes with a direction; the world's, aberrated, with a point
   double vertical_fov = 1;  // radians
 };
 
@@ -30,11 +30,12 @@ struct CameraPose {
   Mat3 axes{1};  // columns: right, up, backwards, in the camera's rest frame
 };
 
-// Throws InputError where the aim leaves the orientation open: the camera is at its look_at point, or it
-// looks along `up`.
+// Throws InputError where the aim leaves the orientation open: the camera is at its look_at point,
+// or it looks along `up`.
 CameraPose pose_at(const Camera& camera, double proper_time);
 
-// From film to rays. Film coordinates are pixels: x to the right from the left edge, y down from the top.
+// From film to rays. Film coordinates are pixels: x to the right from the left edge, y down from
+// the top.
 class Projection {
  public:
   Projection(const CameraPose& pose, double vertical_fov, int width, int height);

@@ -11,13 +11,15 @@ namespace restframe {
 
 using Triangle = std::array<std::uint32_t, 3>;  // vertex indices, counter-clockwise from the front
 
-// From triangle `first_triangle` on, up to the next range's, the mesh uses this material slot of its asset.
+// From triangle `first_triangle` on, up to the next range's, the mesh uses this material slot of
+// its asset.
 struct MaterialRange {
   std::uint32_t first_triangle = 0;
   int slot = 0;
 };
 
-// Triangles as Embree reads them, in the asset's own coordinates. Attributes are empty or one a vertex.
+// Triangles as Embree reads them, in the asset's own coordinates. Attributes are empty or one a
+// vertex.
 struct Mesh {
   std::string name;
   std::vector<Vec3f> positions;  // capacity of one more than size: Embree reads 16 bytes a vertex
@@ -45,8 +47,8 @@ Bounds bounds_of(const Mesh& mesh);
 // The material slot of a triangle.
 int material_slot(const Mesh& mesh, std::uint32_t triangle);
 
-// Appends `part` to `mesh`, its triangles using `slot`. Attributes that one of the two lacks are filled
-// in: UVs with 0, colours with white, normals with those of the triangles' corners.
+// Appends `part` to `mesh`, its triangles using `slot`. Attributes that one of the two lacks are
+// filled in: UVs with 0, colours with white, normals with those of the triangles' corners.
 void append(Mesh& mesh, const Mesh& part, int slot);
 
 // Makes room for Embree's reads past the last vertex. Whoever builds a mesh calls it at the end.

@@ -36,7 +36,9 @@ int thread_count() {
 
 #ifdef RESTFRAME_THREADS_ONLY
 
-void set_thread_count(int threads) { requested_threads = threads; }
+void set_thread_count(int threads) {
+  requested_threads = threads;
+}
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> next{0};

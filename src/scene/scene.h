@@ -1,7 +1,7 @@
 #pragma once
 
-// Everything that a picture is made of, as plain data. Lengths are light-seconds (scene lengths divided
-// by `light_speed`) except inside meshes; things refer to each other by index.
+// Everything that a picture is made of, as plain data. Lengths are light-seconds (scene lengths
+// divided by `light_speed`) except inside meshes; things refer to each other by index.
 
 #include <string>
 #include <vector>
@@ -15,14 +15,15 @@
 
 namespace restframe {
 
-// A mesh placed in an object. The object's coordinates are rest-frame axes around the object's origin.
+// A mesh placed in an object. The object's coordinates are rest-frame axes around the object's
+// origin.
 struct PlacedMesh {
   int mesh = 0;
   Mat4 object_from_mesh{1};  // affine; the mesh's units to light-seconds; may mirror
 };
 
-// One clock, one velocity. Its worldline is that of its origin; the reference event is its `position` at
-// its `time`.
+// One clock, one velocity. Its worldline is that of its origin; the reference event is its
+// `position` at its `time`.
 struct Object {
   std::string name;
   Worldline worldline;
@@ -55,11 +56,8 @@ struct Scene {
   std::vector<SourceFile> sources;
 };
 
-// Every fault that would keep the scene from being rendered, in words. An importer reports what it can
-// with positions; this is the last guard, and the only one for scenes built by a program.
+// Every fault that would keep the scene from being rendered, in words. An importer reports what it
+// can with positions; this is the last guard, and the only one for scenes built by a program.
 std::vector<std::string> validate(const Scene& scene);
-
-// What an object's clock shows at the anchor of its own worldline's rest frame (see AnchoredFrame).
-double clock_at_reference(const Object& object);
 
 }  // namespace restframe

@@ -7,8 +7,8 @@
 
 namespace restframe {
 
-// Temporal functions compiled for the ray path: evaluation neither allocates nor locks. Formulas keep
-// state, so each thread has its own copy (copying compiles again).
+// Temporal functions compiled for the ray path: evaluation neither allocates nor locks. Formulas
+// keep state, so each thread has its own copy (copying compiles again).
 class TemporalEvaluator {
  public:
   // A formula gave something that is not finite.
@@ -22,8 +22,8 @@ class TemporalEvaluator {
   TemporalEvaluator& operator=(const TemporalEvaluator&) = delete;
   ~TemporalEvaluator();
 
-  // The value at clock time `time` (seconds); `own` where the function says nothing. A value that is not
-  // finite is replaced by `own` and noted as a fault.
+  // The value at clock time `time` (seconds); `own` where the function says nothing. A value that
+  // is not finite is replaced by `own` and noted as a fault.
   TemporalValue value(FunctionIndex function, double time, const TemporalValue& own);
 
   float operator()(const TemporalNumber& number, double time) {
@@ -32,8 +32,7 @@ class TemporalEvaluator {
                : value(number.function, time, TemporalValue(number.value)).x;
   }
   Vec3f operator()(const TemporalColor& color, double time) {
-    return color.function == no_function ? color.value
-                                         : value(color.function, time, color.value);
+    return color.function == no_function ? color.value : value(color.function, time, color.value);
   }
 
   // The first fault met, if any.

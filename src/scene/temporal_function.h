@@ -1,7 +1,7 @@
 #pragma once
 
-// Temporal functions: a number or a colour over an object's clock (paper, section 4.3 and section 6).
-// Plain data as a scene file states them; `TemporalEvaluator` compiles them for the ray path.
+// Temporal functions: a number or a colour over an object's clock (paper, section 4.3 and section
+// 6). Plain data as a scene file states them; `TemporalEvaluator` compiles them for the ray path.
 
 #include <optional>
 #include <string>
@@ -26,8 +26,9 @@ struct IntervalFunction {
   std::vector<Interval> intervals;
 };
 
-// Piecewise linear through keys in strictly increasing time (two keys may share a time: a jump). With a
-// period the keys lie within [0, period] and the function wraps; else it is held at both ends.
+// Piecewise linear through keys in strictly increasing time (two keys may share a time: a jump).
+// With a period the keys lie within [0, period] and the function wraps; else it is held at both
+// ends.
 struct KeyFunction {
   struct Key {
     double time = 0;
@@ -37,8 +38,8 @@ struct KeyFunction {
   std::vector<Key> keys;
 };
 
-// One formula in t (seconds of the clock): a number's value, or the fraction from `from` to `to` of a
-// colour. Three formulas: the linear components of a colour.
+// One formula in t (seconds of the clock): a number's value, or the fraction from `from` to `to` of
+// a colour. Three formulas: the linear components of a colour.
 struct FormulaFunction {
   std::vector<std::string> formulas;
   std::optional<TemporalValue> from, to;
@@ -59,7 +60,8 @@ struct Temporal {
 using TemporalNumber = Temporal<float>;
 using TemporalColor = Temporal<Vec3f>;
 
-// Why `formula` can not be used ("unexpected ')' at 7"), or nothing if it can. Variables: t. Constant: pi.
+// Why `formula` can not be used ("unexpected ')' at 7"), or nothing if it can. Variables: t.
+// Constant: pi.
 std::optional<std::string> formula_fault(const std::string& formula);
 
 // Every reason why `function` breaks the rules above, in words, without a position.

@@ -18,7 +18,8 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-// An image as one use of it sees it. Colour textures (base colour, emission) hold sRGB, data linear.
+// An image as one use of it sees it. Colour textures (base colour, emission) hold sRGB, data
+// linear.
 struct Texture {
   int image = 0;  // index into the images of the same asset or scene
   bool srgb = true;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <vector>
+
+#include "importers/gltf_context.h"
+#include "physics/vectors.h"
+
+namespace restframe {
+
+// The elements of an accessor of a checked document, normalized integers as the numbers they stand
+// for. Throws where sparse indices are out of range or order. An accessor of another number of
+// components gives the components that both have, and 1 for the others.
+std::vector<Vec2f> read_vec2(const GltfContext& context, const tinygltf::Model& model,
+                             int accessor);
+std::vector<Vec3f> read_vec3(const GltfContext& context, const tinygltf::Model& model,
+                             int accessor);
+std::vector<Vec4f> read_vec4(const GltfContext& context, const tinygltf::Model& model,
+                             int accessor);
+
+// Writes as many integers as the accessor has elements.
+void read_indices(const GltfContext& context, const tinygltf::Model& model, int accessor,
+                  std::uint32_t* indices);
+
+}  // namespace restframe

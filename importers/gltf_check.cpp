@@ -1,0 +1,117 @@
+#include "importers/gltf_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <set>
+
+namespace restframe {
+namespace {
+
+constexpr std::array supported_extensions = {"KHR_materials_emissive_strength",
+                                             "KHR_materials_unlit", "KHR_mesh_quantization",
+                                             "EXT_mesh_gpu_instancing"};
+
+struct Version {
+  int major = 0, minor = 0;
+};
+
+Version read_version(const Place& place) {
+  const std::string text = place.as_string();
+  Version version;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%3d.%3d%c", &version.major, &version.minor, &rest) != 2) {
+    place.fault("is " + in_quotes(text) + ", must be like \"2.0\"");
+  }
+  return version;
+}
+
+void check_asset(const Place& document) {
+  document.require_member("asset");
+  const Place asset = document.member("asset");
+  asset.require_object();
+  asset.require_member("version");
+  const Place version = asset.member("version");
+  if (read_version(version).major != 2) {
+    version.fault("glTF " + version.as_string() + ", only 2.0 can be read");
+  }
+  if (!asset.has("minVersion")) return;
+  const Place least = asset.member("minVersion");
+  const Version needed = read_version(least);
+  if (needed.major != 2 || needed.minor > 0) {
+    least.fault("needs glTF " + least.as_string() + ", only 2.0 can be read");
+  }
+}
+
+bool is_supported(const std::string& extension) {
+  return std::find(supported_extensions.begin(), supported_extensions.end(), extension) !=
+         supported_extensions.end();
+}
+
+void check_extensions(const Place& document) {
+  if (document.has("extensionsRequired")) {
+    const Place required = document.member("extensionsRequired");
+    required.require_array();
+    for (std::size_t i = 0; i < required.size(); ++i) {
+      const Place name = required.element(i);
+      if (!is_supported(name.as_string())) {
+        name.fault("extension " + in_quotes(name.as_string()) + " is required but not supported");
+      }
+    }
+  }
+  if (!document.has("extensionsUsed")) return;
+  const Place used = document.member("extensionsUsed");
+  used.require_array();
+  std::set<std::string> warned;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const Place place = used.element(i);
+    const std::string name = place.as_string();
+    if (is_supported(name) || !warned.insert(name).second) continue;
+    document.context().warn(place.pointer(), "extension " + in_quotes(name) + " is left out");
+  }
+}
+
+void check_sections(const Place& document) {
+  for (const char* key :
+       {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials",
+        "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
+    for_each_object(document, key, [](const Place& element) {
+      element.check_string("name");
+      if (element.has("extensions")) element.member("extensions").require_object();
+    });
+  }
+}
+
+void warn_of_unread(const Place& document) {
+  const GltfContext& context = document.context();
+  for (const char* key : {"animations", "skins"}) {
+    if (count_of(document, key) > 0) {
+      context.warn(std::string("/") + key, "left out: the asset is read in its rest pose");
+    }
+  }
+  if (count_of(document, "cameras") > 0)
+    context.warn("/cameras", "the asset's cameras are left out");
+}
+
+}  // namespace
+
+std::size_t count_of(const Place& document, const char* key) {
+  return document.has(key) ? document.member(key).size() : 0;
+}
+
+void check_gltf(const GltfContext& context, const Json& json) {
+  const Place document(context, json);
+  document.require_object();
+  check_asset(document);
+  check_extensions(document);
+  check_sections(document);
+  check_buffers(document);
+  check_accessors(document);
+  check_materials(document);
+  check_meshes(document);
+  check_nodes(document);
+  check_unread(document);
+  warn_of_unread(document);
+}
+
+}  // namespace restframe

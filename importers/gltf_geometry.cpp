@@ -1,0 +1,153 @@
+#include "importers/gltf_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace restframe {
+namespace {
+
+constexpr float farthest = 1e15F;
+
+bool within(float x) {
+  return std::abs(x) <= farthest;
+}  // false for NaN
+
+bool within(const Vec2f& v) {
+  return within(v.x) && within(v.y);
+}
+bool within(const Vec3f& v) {
+  return within(v.x) && within(v.y) && within(v.z);
+}
+bool within(const Vec4f& v) {
+  return within(Vec3f(v)) && within(v.w);
+}
+
+// The first element that is not within bounds, or the size.
+template <class Element>
+std::size_t first_outside(const std::vector<Element>& elements) {
+  bool all_within = true;
+  for (const Element& element : elements) all_within &= within(element);
+  if (all_within) return elements.size();
+  const auto outside = std::find_if_not(elements.begin(), elements.end(),
+                                        [](const Element& element) { return within(element); });
+  return static_cast<std::size_t>(outside - elements.begin());
+}
+
+template <class Element>
+void check_within(const PrimitivePlace& place, const char* attribute,
+                  const std::vector<Element>& elements) {
+  const std::size_t i = first_outside(elements);
+  if (i == elements.size()) return;
+  std::string text;
+  for (int c = 0; c < Element::length(); ++c) {
+    text += (c > 0 ? ", " : "") + std::to_string(elements[i][c]);
+  }
+  place.context.fault(
+      place.pointer + "/attributes/" + attribute,
+      "vertex " + std::to_string(i) + " is (" + text + "), must be finite and below 1e15");
+}
+
+Vec3f area_normal(const Mesh& mesh, const Triangle& triangle) {
+  const Vec3 a(mesh.positions[triangle[0]]), b(mesh.positions[triangle[1]]),
+      c(mesh.positions[triangle[2]]);
+  const Vec3 normal = glm::cross(b - a, c - a);
+  const double length = glm::length(normal);
+  return length > 0 ? Vec3f(normal / length) : Vec3f(0);
+}
+
+}  // namespace
+
+void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& positions) {
+  check_within(place, "POSITION", positions);
+}
+
+void check_attributes(const PrimitivePlace& place, const Mesh& mesh) {
+  check_within(place, "TEXCOORD_0", mesh.uvs[0]);
+  check_within(place, "TEXCOORD_1", mesh.uvs[1]);
+  check_within(place, "COLOR_0", mesh.colors);
+}
+
+void check_indices(const PrimitivePlace& place, const std::vector<Triangle>& triangles,
+                   std::size_t vertices) {
+  std::uint32_t greatest = 0;
+  for (const Triangle& t : triangles) greatest = std::max({greatest, t[0], t[1], t[2]});
+  if (triangles.empty() || greatest < vertices) return;
+  place.context.fault(place.pointer + "/indices", "index " + std::to_string(greatest) +
+                                                      " is not below the " +
+                                                      std::to_string(vertices) + " vertices");
+}
+
+void mend_normals(const PrimitivePlace& place, Mesh& mesh) {
+  std::size_t bad = 0;
+  for (Vec3f& normal : mesh.normals) {
+    const float squared = glm::dot(normal, normal);
+    if (squared > 1e-20F && squared < 1e20F) {
+      normal /= std::sqrt(squared);
+    } else {
+      normal = Vec3f(0);
+      ++bad;
+    }
+  }
+  if (bad == 0) return;
+  std::vector<Vec3f> sums(mesh.normals.size(), Vec3f(0));
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec3f normal = area_normal(mesh, triangle);
+    for (const std::uint32_t vertex : triangle) sums[vertex] += normal;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (mesh.normals[i] != Vec3f(0)) continue;
+    const float length = glm::length(sums[i]);
+    mesh.normals[i] = length > 1e-6F ? sums[i] / length : Vec3f(0, 0, 1);
+  }
+  place.context.warn(place.pointer + "/attributes/NORMAL",
+                     std::to_string(bad) + " normals without a direction were recomputed");
+}
+
+namespace {
+
+template <class Element>
+void keep(std::vector<Element>& elements, const std::vector<std::uint32_t>& kept) {
+  if (elements.empty()) return;
+  std::vector<Element> left;
+  left.reserve(kept.size() + 1);
+  for (const std::uint32_t old : kept) left.push_back(elements[old]);
+  elements = std::move(left);
+}
+
+}  // namespace
+
+void drop_unused_vertices(Mesh& mesh) {
+  constexpr std::uint32_t unused = 0xFFFFFFFF;
+  std::vector<std::uint32_t> renumbered(mesh.positions.size(), unused);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) renumbered[vertex] = 0;
+  }
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < renumbered.size(); ++i) {
+    if (renumbered[i] == unused) continue;
+    renumbered[i] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(i);
+  }
+  if (kept.size() == renumbered.size()) return;
+  keep(mesh.positions, kept);
+  keep(mesh.normals, kept);
+  for (auto& uvs : mesh.uvs) keep(uvs, kept);
+  keep(mesh.colors, kept);
+  for (Triangle& triangle : mesh.triangles) {
+    for (std::uint32_t& vertex : triangle) vertex = renumbered[vertex];
+  }
+}
+
+std::size_t count_degenerate(const Mesh& mesh) {
+  std::size_t count = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3f& a = mesh.positions[t[0]];
+    const Vec3f ab = mesh.positions[t[1]] - a, ac = mesh.positions[t[2]] - a;
+    // Products of float differences in double: nothing underflows to a false zero.
+    const Vec3 normal = glm::cross(Vec3(ab), Vec3(ac));
+    count += normal == Vec3(0);
+  }
+  return count;
+}
+
+}  // namespace restframe

@@ -1,0 +1,36 @@
+#pragma once
+
+// What a mesh's numbers must be like, and the mending of those that need not stop the import.
+
+#include <string>
+#include <vector>
+
+#include "importers/gltf_context.h"
+
+namespace restframe {
+
+// Where a primitive's faults are reported.
+struct PrimitivePlace {
+  const GltfContext& context;
+  std::string pointer;
+};
+
+// Faults: positions that are not finite or beyond 1e15; other attributes that are not finite.
+void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& positions);
+void check_attributes(const PrimitivePlace& place, const Mesh& mesh);
+
+// Fault: an index that is not below the number of vertices.
+void check_indices(const PrimitivePlace& place, const std::vector<Triangle>& triangles,
+                   std::size_t vertices);
+
+// Normals to unit length. Those that have no direction get that of the triangles around, with a
+// warning.
+void mend_normals(const PrimitivePlace& place, Mesh& mesh);
+
+// Removes vertices that no triangle uses: primitives often share one long list.
+void drop_unused_vertices(Mesh& mesh);
+
+// Triangles without area.
+std::size_t count_degenerate(const Mesh& mesh);
+
+}  // namespace restframe

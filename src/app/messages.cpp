@@ -1,0 +1,46 @@
+#include "app/messages.h"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+namespace restframe {
+namespace {
+
+spdlog::logger& log() {
+  static const std::shared_ptr<spdlog::logger> logger = [] {
+    auto made = spdlog::stderr_logger_mt("restframe");
+    made->set_pattern("%l: %v");
+    return made;
+  }();
+  return *logger;
+}
+
+// Names from files may hold line breaks and control characters; a message stays one line.
+std::string one_line(std::string message) {
+  std::replace_if(
+      message.begin(), message.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+  return message;
+}
+
+}  // namespace
+
+void report_error(const std::string& message) {
+  log().error("{}", one_line(message));
+}
+void report_warning(const std::string& message) {
+  log().warn("{}", one_line(message));
+}
+
+void report_faults(const std::vector<std::string>& faults) {
+  const std::string more =
+      faults.size() > 1
+          ? fmt::format(" (and {} more: `restframe check` lists them)", faults.size() - 1)
+          : "";
+  report_error(faults.front() + more);
+}
+
+}  // namespace restframe

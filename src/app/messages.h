@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace restframe {
+
+// One line each on standard error.
+void report_error(const std::string& message);
+void report_warning(const std::string& message);
+
+// The first fault, and how many more there are: `restframe check` lists all.
+void report_faults(const std::vector<std::string>& faults);
+
+}  // namespace restframe

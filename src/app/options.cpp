@@ -1,0 +1,180 @@
+#include "app/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "app/version.h"
+#include "scene/error.h"
+
+namespace restframe {
+namespace {
+
+constexpr const char* overview =
+    R"(restframe: pictures of things that move close to the speed of light.
+
+First steps:
+  restframe lattice -o lattice.glb          make an asset, or bring your own .glb, .gltf or .obj
+  restframe render lattice.glb              a picture of it at rest: out/lattice.0000.exr and .png
+  restframe render scene.toml               an animation, as a scene file says
+
+A scene file of four lines:
+  [[object]]
+  asset = "lattice.glb"
+  position = [0, 0, -12]
+  velocity = [0, 0, 0.9]                    in fractions of c; clocks, cameras, colours: see README.md
+
+Exit codes: 0 done, 1 a defect of restframe, 2 bad input or options, 3 output or resources failed,
+130 interrupted.)";
+
+// "AxB" or "AxBxC": as many whole numbers as `numbers` has places.
+void parse_sizes(const std::string& option, const std::string& text, std::vector<int*> numbers) {
+  const char* at = text.data();
+  const char* end = at + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto [stop, fault] = std::from_chars(at, end, *numbers[i]);
+    const bool last = i + 1 == numbers.size();
+    if (fault != std::errc{} || *numbers[i] < 1 ||
+        (last ? stop != end : stop == end || *stop != 'x')) {
+      throw InputError(
+          fmt::format("{}: \"{}\" is not {} whole numbers joined by x, each at least 1", option,
+                      text, numbers.size()));
+    }
+    at = stop + 1;
+  }
+}
+
+PictureRange parse_range(const std::string& text) {
+  PictureRange range;
+  const char* end = text.data() + text.size();
+  auto [stop, fault] = std::from_chars(text.data(), end, range.first);
+  range.last = range.first;
+  if (fault == std::errc{} && stop != end && *stop == '-') {
+    std::tie(stop, fault) = [&] {
+      const auto result = std::from_chars(stop + 1, end, range.last);
+      return std::pair(result.ptr, result.ec);
+    }();
+  }
+  if (fault != std::errc{} || stop != end || range.first < 0 || range.last < range.first) {
+    throw InputError(fmt::format("--pictures: \"{}\" is neither a number nor FIRST-LAST", text));
+  }
+  return range;
+}
+
+void add_limits(CLI::App& command, ImportLimits& limits) {
+  const char* group = "Limits on what files may ask for";
+  command.add_option("--max-json-bytes", limits.json_bytes, "JSON of a glTF file")->group(group);
+  command.add_option("--max-json-depth", limits.json_depth, "Levels of JSON")->group(group);
+  command.add_option("--max-nodes", limits.nodes, "Nodes and instances")->group(group);
+  command.add_option("--max-triangles", limits.triangles, "Stored triangles")->group(group);
+  command.add_option("--max-image-pixels", limits.image_pixels, "Pixels of an image")->group(group);
+  command.add_option("--max-bytes", limits.total_bytes, "All of an asset's files")->group(group);
+}
+
+struct Texts {
+  std::string pictures, size, cells, instances = "nodes";
+};
+
+CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
+  CLI::App* command =
+      app.add_subcommand("render", "Render a scene file or an asset to EXR pictures");
+  command->add_option("SCENE", render.scene, "A scene file (.toml) or an asset")->required();
+  command->add_option("-o,--output", render.output,
+                      "Where pictures go, # for digits of their number: out/name.####.exr");
+  command->add_option("-p,--pictures", texts.pictures, "Only these: 7, or 0-119");
+  command->add_option("--size", texts.size, "Width and height in pixels: 640x360");
+  command->add_option("--samples", render.samples, "Samples a pixel")->check(CLI::Range(1, 65536));
+  command->add_option("--threads", render.threads, "Threads; 0: all cores")
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
+  command->add_flag("-q,--quiet", render.quiet, "No progress bar, no closing line");
+  return command;
+}
+
+CLI::App* add_lattice(CLI::App& app, LatticeOptions& options, Texts& texts) {
+  CLI::App* command =
+      app.add_subcommand("lattice", "Author a lattice of balls and rods (.glb, .obj)");
+  LatticeSettings& lattice = options.lattice;
+  command->add_option("-o,--output", options.output, "The file to write: .glb or .obj")->required();
+  command->add_option("--cells", texts.cells, "Balls along x, y and z")->default_str("7x7x20");
+  command->add_option("--pitch", lattice.pitch, "Distance of neighbouring balls")
+      ->capture_default_str();
+  command->add_option("--ball", lattice.ball_radius, "Radius of the balls")->capture_default_str();
+  command->add_option("--rod", lattice.rod_radius, "Radius of the rods")->capture_default_str();
+  command->add_option("--fineness", lattice.fineness, "Times the balls' icosahedron is subdivided")
+      ->capture_default_str();
+  command
+      ->add_option("--instances", texts.instances,
+                   "nodes: a node a part; gpu: EXT_mesh_gpu_instancing; none: one flat mesh")
+      ->check(CLI::IsMember({"nodes", "gpu", "none"}))
+      ->capture_default_str();
+  return command;
+}
+
+RenderOptions completed(RenderOptions render, const Texts& texts) {
+  if (!texts.pictures.empty()) render.pictures = parse_range(texts.pictures);
+  if (!texts.size.empty()) {
+    int width = 0;
+    int height = 0;
+    parse_sizes("--size", texts.size, {&width, &height});
+    render.width = width;
+    render.height = height;
+  }
+  return render;
+}
+
+LatticeOptions completed(LatticeOptions options, const Texts& texts) {
+  LatticeSettings& lattice = options.lattice;
+  if (!texts.cells.empty()) {
+    parse_sizes("--cells", texts.cells, {&lattice.cells_x, &lattice.cells_y, &lattice.cells_z});
+  }
+  if (texts.instances == "gpu") options.instances = InstanceMode::gpu;
+  if (texts.instances == "none") options.instances = InstanceMode::none;
+  return options;
+}
+
+}  // namespace
+
+Options parse_options(int argc, char** argv) {
+  CLI::App app(overview, "restframe");
+  app.set_version_flag("--version", std::string("restframe ") + program_version);
+  app.require_subcommand(1);
+  Options options;
+  RenderOptions render;
+  LatticeOptions lattice;
+  InfoOptions info;
+  CheckOptions check;
+  Texts texts;
+  const CLI::App* render_command = add_render(app, render, texts);
+  const CLI::App* lattice_command = add_lattice(app, lattice, texts);
+  CLI::App* info_command = app.add_subcommand(
+      "info", "Say what a scene or an asset holds: objects, rest frames, triangles, memory");
+  info_command->add_option("FILE", info.file, "A scene file or an asset")->required();
+  CLI::App* check_command =
+      app.add_subcommand("check", "List every fault of a scene or an asset, render nothing");
+  check_command->add_option("FILE", check.file, "A scene file or an asset")->required();
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (command != lattice_command) add_limits(*command, options.limits);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    throw HelpShown{app.exit(asked)};
+  } catch (const CLI::ParseError& error) {
+    throw InputError(fmt::format("options: {} (see restframe --help)", error.what()));
+  }
+  if (app.got_subcommand(render_command)) {
+    options.command = completed(render, texts);
+  } else if (app.got_subcommand(lattice_command)) {
+    options.command = completed(lattice, texts);
+  } else if (app.got_subcommand(info_command)) {
+    options.command = info;
+  } else {
+    options.command = check;
+  }
+  return options;
+}
+
+}  // namespace restframe

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "importers/importers.h"
+#include "scene/generators.h"
+
+namespace restframe {
+
+struct PictureRange {
+  int first = 0, last = 0;  // inclusive
+};
+
+struct RenderOptions {
+  std::string scene;
+  std::optional<std::string> output;
+  std::optional<PictureRange> pictures;
+  std::optional<int> width, height, samples;
+  int threads = 0;  // 0: all cores
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+struct LatticeOptions {
+  std::string output;
+  LatticeSettings lattice;
+  InstanceMode instances = InstanceMode::nodes;
+};
+
+struct InfoOptions {
+  std::string file;
+};
+
+struct CheckOptions {
+  std::string file;
+};
+
+struct Options {
+  std::variant<RenderOptions, LatticeOptions, InfoOptions, CheckOptions> command;
+  ImportLimits limits;
+};
+
+// --help or --version was asked for, and is on standard output.
+struct HelpShown {
+  int exit_code = 0;
+};
+
+// Throws InputError with one line, or HelpShown.
+Options parse_options(int argc, char** argv);
+
+}  // namespace restframe

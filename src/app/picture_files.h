@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "film/exr_file.h"
+#include "scene/scene.h"
+
+namespace restframe {
+
+// "out/name.####.exr" and 7 give "out/name.0007.exr". Throws InputError where the pattern has no #
+// and is not for a single picture, or does not end in .exr.
+std::filesystem::path picture_path(const std::string& pattern, int number, bool single);
+
+// Of the pictures [first, last], those that are still to be made: missing or torn ones. A complete
+// picture of another scene is an InputError that says what differs; `overwrite` makes all again.
+std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool overwrite);
+
+// What the header of a picture says.
+PictureInfo picture_info(const Scene& scene, int number);
+
+}  // namespace restframe

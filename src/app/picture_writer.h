@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <future>
+
+#include "film/exr_file.h"
+
+namespace restframe {
+
+// Writes a picture while the next one renders. One picture waits at most, so memory holds two.
+class PictureWriter {
+ public:
+  explicit PictureWriter(bool preview) : preview_(preview) {}
+  ~PictureWriter();
+
+  // Waits for the picture before; rethrows what went wrong with it.
+  void write(std::filesystem::path path, Picture picture, PictureInfo info);
+  // Waits for the last one.
+  void finish();
+
+  std::size_t clamped_values() const { return clamped_; }
+
+ private:
+  bool preview_;
+  std::future<WriteReport> pending_;
+  std::size_t clamped_ = 0;
+};
+
+}  // namespace restframe

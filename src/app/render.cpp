@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/messages.h"
+#include "app/picture_files.h"
+#include "app/picture_writer.h"
+#include "app/progress.h"
+#include "app/render_picture.h"
+#include "app/signals.h"
+#include "scene/error.h"
+#include "scene/framing.h"
+#include "scene/parallel.h"
+
+namespace restframe {
+namespace {
+
+void apply(const RenderOptions& options, Scene& scene) {
+  if (options.output) scene.output.path = *options.output;
+  if (options.width) scene.render.width = *options.width;
+  if (options.height) scene.render.height = *options.height;
+  if (options.samples) scene.render.samples = *options.samples;
+}
+
+PictureRange range_of(const RenderOptions& options, const AnimationSettings& animation) {
+  const PictureRange all{0, animation.pictures - 1};
+  if (!options.pictures) return all;
+  if (options.pictures->last > all.last) {
+    throw InputError(fmt::format("--pictures: there is no picture {}; the last one is {}",
+                                 options.pictures->last, all.last));
+  }
+  return *options.pictures;
+}
+
+Scene loaded_scene(const RenderOptions& options, const ImportLimits& limits) {
+  Warnings warnings;
+  Scene scene = load_scene(options.scene, limits, warnings);
+  for (const std::string& warning : warnings) report_warning(warning);
+  apply(options, scene);
+  const std::vector<std::string> faults = validate(scene);
+  if (!faults.empty()) throw InputError(options.scene + ": " + faults.front());
+  if (!scene.camera_given) scene.camera = framing_camera(scene, scene.animation.start);
+  return scene;
+}
+
+void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool single, bool quiet,
+                     int threads) {
+  const FrameSet frames(scene, threads);
+  const Preview integrator(scene, frames);
+  EvaluatorPool evaluators(scene.functions);
+  Progress progress(numbers.size(),
+                    static_cast<std::size_t>(scene.render.width) *
+                        static_cast<std::size_t>(scene.render.height) *
+                        static_cast<std::size_t>(scene.render.samples),
+                    quiet);
+  const RenderContext context{scene, integrator, evaluators,
+                              [&](std::size_t samples) { progress.samples_done(samples); }};
+  PictureWriter writer(scene.output.preview);
+  for (const int number : numbers) {
+    Picture picture = render_picture(context, number);
+    writer.write(picture_path(scene.output.path, number, single), std::move(picture),
+                 picture_info(scene, number));
+    progress.picture_done();
+  }
+  writer.finish();
+  if (writer.clamped_values() > 0) {
+    report_warning(
+        fmt::format("{} values of the beauty were not finite or beyond what the file "
+                    "holds, and were clamped",
+                    writer.clamped_values()));
+  }
+}
+
+}  // namespace
+
+int render(const RenderOptions& options, const ImportLimits& limits) {
+  set_thread_count(options.threads);
+  const Scene scene = loaded_scene(options, limits);
+  const PictureRange range = range_of(options, scene.animation);
+  const bool single = range.first == range.last;
+  const std::vector<int> numbers =
+      pictures_to_make(scene, range.first, range.last, options.overwrite);
+  if (!numbers.empty()) {
+    render_pictures(scene, numbers, single, options.quiet, thread_count());
+  }
+  if (!options.quiet) {
+    const int count = range.last - range.first + 1;
+    const int kept = count - static_cast<int>(numbers.size());
+    fmt::print("{} of {} pictures made{}: {}\n", numbers.size(), count,
+               kept > 0 ? fmt::format(", {} were there already", kept) : "", scene.output.path);
+  }
+  return 0;
+}
+
+}  // namespace restframe

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+
+#include "app/evaluator_pool.h"
+#include "film/picture.h"
+#include "scene/scene.h"
+#include "tracer/preview.h"
+
+namespace restframe {
+
+// What all pictures of an animation share.
+struct RenderContext {
+  const Scene& scene;
+  const Preview& integrator;
+  EvaluatorPool& evaluators;
+  std::function<void(std::size_t)> samples_done;  // called now and then, from any thread
+};
+
+// The camera's own time of a picture.
+double picture_time(const AnimationSettings& animation, int number);
+
+// The same bits for any number of threads. Throws Interrupted when a signal came, and InputError
+// where a formula gives no finite value.
+Picture render_picture(const RenderContext& context, int number);
+
+}  // namespace restframe

@@ -1,0 +1,72 @@
+#include "film/aov.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace restframe {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double not_hit = std::numeric_limits<double>::quiet_NaN();  // written as 0
+using Data = const SurfaceData&;
+using Units = const DataUnits&;
+
+constexpr std::array distance_channels{DataChannel{
+    "Z", ChannelKind::plain, infinite, [](Data d, Units u) { return d.distance * u.light_speed; }}};
+
+constexpr std::array time_channels{DataChannel{"time_proper.V", ChannelKind::time_proper, not_hit,
+                                               [](Data d, Units) { return d.time_proper; }},
+                                   DataChannel{"time_world.V", ChannelKind::time_world, not_hit,
+                                               [](Data d, Units) { return d.time_world; }}};
+
+constexpr std::array doppler_channels{
+    DataChannel{"doppler.D", ChannelKind::plain, 0.0, [](Data d, Units) { return d.doppler; }}};
+
+constexpr std::array normal_channels{
+    DataChannel{"N.X", ChannelKind::plain, 0.0, [](Data d, Units) { return d.normal.x; }},
+    DataChannel{"N.Y", ChannelKind::plain, 0.0, [](Data d, Units) { return d.normal.y; }},
+    DataChannel{"N.Z", ChannelKind::plain, 0.0, [](Data d, Units) { return d.normal.z; }}};
+
+constexpr std::array position_channels{
+    DataChannel{"P.X", ChannelKind::plain, 0.0,
+                [](Data d, Units u) { return d.position.x * u.light_speed; }},
+    DataChannel{"P.Y", ChannelKind::plain, 0.0,
+                [](Data d, Units u) { return d.position.y * u.light_speed; }},
+    DataChannel{"P.Z", ChannelKind::plain, 0.0,
+                [](Data d, Units u) { return d.position.z * u.light_speed; }}};
+
+constexpr std::array uv_channels{
+    DataChannel{"UV.U", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.x); }},
+    DataChannel{"UV.V", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.y); }}};
+
+constexpr std::array id_channels{DataChannel{"id_object.V", ChannelKind::plain, 0.0,
+                                             [](Data d, Units) { return d.object + 1.0; }},
+                                 DataChannel{"id_material.V", ChannelKind::plain, 0.0,
+                                             [](Data d, Units) { return d.material + 1.0; }}};
+
+constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
+                           LayerInfo{Layer::z, "Z", distance_channels},
+                           LayerInfo{Layer::time, "time", time_channels},
+                           LayerInfo{Layer::doppler, "doppler", doppler_channels},
+                           LayerInfo{Layer::normal, "N", normal_channels},
+                           LayerInfo{Layer::position, "P", position_channels},
+                           LayerInfo{Layer::uv, "UV", uv_channels},
+                           LayerInfo{Layer::id, "id", id_channels}};
+
+}  // namespace
+
+std::span<const LayerInfo> layer_table() {
+  return table;
+}
+
+std::vector<DataChannel> data_channels(std::span<const Layer> layers) {
+  std::vector<DataChannel> channels;
+  for (const LayerInfo& info : table) {
+    if (std::find(layers.begin(), layers.end(), info.layer) == layers.end()) continue;
+    channels.insert(channels.end(), info.channels.begin(), info.channels.end());
+  }
+  return channels;
+}
+
+}  // namespace restframe

@@ -1,0 +1,43 @@
+#pragma once
+
+// The one table of layers: what each is called in a scene file and in an EXR, and where its values
+// come from (design, section 7).
+
+#include <span>
+
+#include "scene/settings.h"
+#include "tracer/sample.h"
+
+namespace restframe {
+
+// Factors between what the tracer holds and what a picture holds.
+struct DataUnits {
+  double light_speed = 1;  // scene lengths a light-second
+};
+
+// How a channel's values are kept until the picture is written.
+enum class ChannelKind : std::uint8_t {
+  plain,        // float
+  time_proper,  // double: the header's timeOrigin is taken off first
+  time_world,
+};
+
+struct DataChannel {
+  const char* exr_name;
+  ChannelKind kind;
+  double where_nothing_is_hit;
+  double (*value)(const SurfaceData&, const DataUnits&);
+};
+
+struct LayerInfo {
+  Layer layer;
+  const char* scene_name;                 // in the scene file's output.layers
+  std::span<const DataChannel> channels;  // empty for the beauty
+};
+
+std::span<const LayerInfo> layer_table();
+
+// The channels of these layers, in the table's order.
+std::vector<DataChannel> data_channels(std::span<const Layer> layers);
+
+}  // namespace restframe

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "film/aov.h"
+#include "tracer/sample.h"
+
+namespace restframe {
+
+// One data channel of a picture. Times stay in double until the picture is written.
+struct ChannelPixels {
+  DataChannel channel;
+  std::vector<float> values;  // of a plain channel
+  std::vector<double> times;  // of a time
+};
+
+// The pixels of one picture, row by row from the top. Each pixel is written by one thread.
+class Picture {
+ public:
+  Picture(int width, int height, std::span<const Layer> layers, const DataUnits& units);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool has_beauty() const { return !rgba_.empty(); }
+  bool has_data() const { return !channels_.empty(); }
+  const std::vector<Vec4f>& rgba() const { return rgba_; }
+  const std::vector<ChannelPixels>& channels() const { return channels_; }
+
+  void set_radiance(int x, int y, const Vec4f& rgba) {
+    if (!rgba_.empty()) rgba_[index(x, y)] = rgba;
+  }
+  void set_data(int x, int y, const SurfaceData& data);
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  int width_, height_;
+  DataUnits units_;
+  std::vector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
+  std::vector<ChannelPixels> channels_;
+};
+
+}  // namespace restframe

@@ -1,0 +1,57 @@
+#include "frames/embree_handles.h"
+
+#include <string>
+
+#include "scene/error.h"
+
+namespace restframe {
+namespace {
+
+// Embree calls this from whatever thread fails; the first words are kept until check().
+thread_local std::string last_words;
+
+void on_error(void*, RTCError code, const char* words) {
+  if (code != RTC_ERROR_NONE && last_words.empty()) last_words = words;
+}
+
+bool on_memory(void* bytes, ssize_t change, bool) {
+  *static_cast<std::atomic<std::ptrdiff_t>*>(bytes) += change;
+  return true;
+}
+
+std::string device_options([[maybe_unused]] int threads) {
+#ifdef RESTFRAME_THREADS_ONLY
+  return "threads=1,set_affinity=0";
+#else
+  return "threads=" + std::to_string(threads);
+#endif
+}
+
+}  // namespace
+
+EmbreeDevice::EmbreeDevice(int threads) : device_(rtcNewDevice(device_options(threads).c_str())) {
+  if (device_ == nullptr) throw OutputError("Embree can not start on this machine");
+  rtcSetDeviceErrorFunction(device_, on_error, nullptr);
+  rtcSetDeviceMemoryMonitorFunction(device_, on_memory, &bytes_);
+}
+
+EmbreeDevice::~EmbreeDevice() {
+  rtcReleaseDevice(device_);
+}
+
+void EmbreeDevice::check() const {
+  const std::string words = std::exchange(last_words, {});
+  const RTCError code = rtcGetDeviceError(device_);
+  if (!words.empty()) throw OutputError("Embree: " + words);
+  if (code != RTC_ERROR_NONE) {
+    throw OutputError("Embree: error " + std::to_string(static_cast<int>(code)));
+  }
+}
+
+EmbreeScene new_scene(const EmbreeDevice& device) {
+  EmbreeScene scene(rtcNewScene(device.get()));
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
+  return scene;
+}
+
+}  // namespace restframe

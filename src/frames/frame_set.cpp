@@ -1,0 +1,81 @@
+#include "frames/frame_set.h"
+
+#include <algorithm>
+
+namespace restframe {
+namespace {
+
+std::vector<std::vector<int>> grouped_by_velocity(const Scene& scene) {
+  std::vector<std::vector<int>> groups;
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    const Object& object = scene.objects[static_cast<std::size_t>(i)];
+    if (object.parts.empty()) continue;
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const std::vector<int>& g) {
+      return scene.objects[static_cast<std::size_t>(g[0])].worldline.velocity ==
+             object.worldline.velocity;
+    });
+    if (same == groups.end()) {
+      groups.push_back({i});
+    } else {
+      same->push_back(i);
+    }
+  }
+  return groups;
+}
+
+std::vector<int> count_uses(const Scene& scene) {
+  std::vector<int> uses(scene.meshes.size(), 0);
+  for (const Object& object : scene.objects) {
+    for (const PlacedMesh& part : object.parts) ++uses[static_cast<std::size_t>(part.mesh)];
+  }
+  return uses;
+}
+
+std::size_t part_count(const Scene& scene, const std::vector<int>& group) {
+  std::size_t count = 0;
+  for (const int i : group) count += scene.objects[static_cast<std::size_t>(i)].parts.size();
+  return count;
+}
+
+// Instanced meshes need a scene of their own, and so do those that are alone in a rest frame.
+std::vector<bool> needs_own_scene(const Scene& scene, const std::vector<std::vector<int>>& groups,
+                                  const std::vector<int>& uses) {
+  std::vector<bool> needs(scene.meshes.size());
+  for (std::size_t i = 0; i < uses.size(); ++i) needs[i] = uses[i] > 1;
+  for (const std::vector<int>& group : groups) {
+    if (part_count(scene, group) != 1) continue;
+    for (const int i : group) {
+      for (const PlacedMesh& part : scene.objects[static_cast<std::size_t>(i)].parts) {
+        needs[static_cast<std::size_t>(part.mesh)] = true;
+      }
+    }
+  }
+  return needs;
+}
+
+}  // namespace
+
+FrameSet::FrameSet(const Scene& scene, int threads) : device_(threads) {
+  const std::vector<std::vector<int>> groups = grouped_by_velocity(scene);
+  const std::vector<int> uses = count_uses(scene);
+  const std::vector<bool> own_scene = needs_own_scene(scene, groups, uses);
+  meshes_.reserve(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    meshes_.push_back(traversable(scene.meshes[i]));
+    if (own_scene[i]) build_scene(device_, meshes_.back());
+  }
+  frames_.reserve(groups.size());
+  for (const std::vector<int>& group : groups) {
+    frames_.emplace_back(device_, scene, group, meshes_, uses);
+  }
+}
+
+void FrameSet::nearest(const RayPacket& rays, HitPacket& hits) const {
+  hits.frame.fill(-1);
+  hits.s.fill(std::numeric_limits<double>::infinity());
+  for (int i = 0; i < static_cast<int>(frames_.size()); ++i) {
+    frames_[static_cast<std::size_t>(i)].intersect(rays, i, hits);
+  }
+}
+
+}  // namespace restframe

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "frames/rest_frame.h"
+
+namespace restframe {
+
+// All objects of a scene, grouped by exactly equal velocity, and the queries across them.
+class FrameSet {
+ public:
+  // `scene` must outlive the set. Throws OutputError if Embree fails.
+  FrameSet(const Scene& scene, int threads);
+
+  // The nearest hit over all rest frames: all of them measure along the ray in the same s, so the
+  // nearest so far bounds the search in the next (the paper's most recent event). Its s is in
+  // double.
+  void nearest(const RayPacket& rays, HitPacket& hits) const;
+
+  // Gives one hit its s in double: for whatever depends on where or when exactly it is.
+  void refine(HitPacket& hits, int lane) const { frame(hits.frame[lane]).refine(hits, lane); }
+
+  std::span<const RestFrame> frames() const { return frames_; }
+  const RestFrame& frame(int index) const { return frames_[static_cast<std::size_t>(index)]; }
+  std::size_t embree_bytes() const { return device_.bytes_in_use(); }
+
+ private:
+  EmbreeDevice device_;
+  std::vector<TraversableMesh> meshes_;
+  std::vector<RestFrame> frames_;
+};
+
+}  // namespace restframe

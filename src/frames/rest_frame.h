@@ -1,0 +1,87 @@
+#pragma once
+
+// One velocity: the objects that stand still together, as one static Embree scene.
+//
+//   world  --boost, anchor-->  rest frame  --affine-->  traversal coordinates  (what Embree sees,
+//   in float)
+//
+// A frame that holds one placed mesh traverses that mesh's own scene, and its traversal coordinates
+// are the mesh's. Else meshes placed once are baked into coordinates centred on the frame's bounds,
+// and meshes placed often are instances. The ray parameter s is the same number on all three sides.
+
+#include <span>
+#include <vector>
+
+#include "frames/embree_handles.h"
+#include "frames/packet.h"
+#include "frames/traversable_mesh.h"
+#include "physics/lorentz.h"
+#include "scene/scene.h"
+
+namespace restframe {
+
+// A mesh placed in a rest frame.
+struct FramePart {
+  int object = 0;
+  int mesh = 0;
+  Mat4 rest_from_mesh{1};
+  glm::mat3 rest_from_mesh_normal{1};  // inverse transpose; any length
+  glm::mat3 rest_from_facet_normal{
+      1};                            // of HitPacket::facet_normal, to the side that faces the front
+  bool instanced = false;            // else `positions` are in traversal coordinates already
+  Mat4 traversal_from_local{1};      // of an instance
+  std::vector<Vec3f> baked;          // of a mesh placed once, in a frame that holds others too
+  std::span<const Vec3f> positions;  // what Embree sees: baked or the mesh's local ones
+  std::span<const Triangle> triangles;
+};
+
+class RestFrame {
+ public:
+  // objects: indices into scene.objects, all of one velocity. meshes: one a mesh of the scene; the
+  // ones that this frame instances or traverses have their scenes. `scene` and `meshes` must
+  // outlive the frame.
+  RestFrame(const EmbreeDevice& device, const Scene& scene, std::span<const int> objects,
+            std::span<const TraversableMesh> meshes, std::span<const int> uses_of_mesh);
+
+  // Replaces the lanes of `hits` that this frame is nearer to.
+  void intersect(const RayPacket& rays, int own_index, HitPacket& hits) const;
+
+  // Where, along the ray of a hit, the next search begins when the surface lets it pass: behind the
+  // hit by more than floats can tell apart here.
+  double s_behind(const HitPacket& hits, int lane) const;
+
+  // Gives a hit of this frame its s in double, from the triangle's corners.
+  void refine(HitPacket& hits, int lane) const;
+
+  const FramePart& part(std::uint32_t index) const { return parts_[index]; }
+  std::span<const FramePart> parts() const { return parts_; }
+  const AnchoredFrame<in::Rest>& coordinates() const { return coordinates_; }
+  const Bounds& traversal_bounds() const { return bounds_; }
+  RTCScene traversed() const { return traversed_; }
+
+  // Rest-frame position of a point in traversal coordinates, relative to the anchor.
+  Vec3 rest_position(const Vec3& traversal) const {
+    return rest_from_traversal_linear_ * traversal + rest_from_traversal_offset_;
+  }
+
+  // What the clock of `object` shows at rest-frame time 0, that is, at the anchor.
+  double clock_at_anchor(const Object& object) const;
+  // Where the object's origin rests.
+  Vec3 origin_of(const Object& object) const { return coordinates_(object.worldline.reference).x; }
+
+ private:
+  void build_single(std::span<const TraversableMesh> meshes);
+  void build_many(const EmbreeDevice& device, std::span<const TraversableMesh> meshes,
+                  std::span<const int> uses_of_mesh);
+  void set_traversal(const Mat4& rest_from_traversal);
+
+  AnchoredFrame<in::Rest> coordinates_;
+  std::vector<FramePart> parts_;
+  EmbreeScene own_scene_;
+  RTCScene traversed_ = nullptr;  // own_scene_'s, or the only mesh's
+  Bounds bounds_;                 // traversal coordinates
+  Mat3 rest_from_traversal_linear_{1}, traversal_from_rest_linear_{1};
+  Vec3 rest_from_traversal_offset_{0};
+};
+
+}  // namespace restframe

@@ -1,0 +1,185 @@
+// From a packet of world rays to hits in one rest frame: boost, clip to the frame's bounds in
+// double, let Embree find the nearest triangle in float, and recompute where it was met in double.
+
+#include <algorithm>
+#include <cmath>
+
+#include "frames/rest_frame.h"
+
+namespace restframe {
+namespace {
+
+// A packet in the traversal coordinates of one rest frame.
+struct LocalRays {
+  Lanes<double> rest_t, rest_k_t;
+  Vec3fLanes sight;
+  Vec3Lanes origin, k;
+  Lanes<double> s_enter, s_leave;  // where the ray is within the frame's bounds
+  Lanes<std::int32_t> active;
+};
+
+// Narrows [s_enter, s_leave] to a slab of the bounds. k = 0 gives infinities of the right sign, or
+// NaN for a ray in the slab's face, which std::min and std::max in this order leave without effect.
+inline void clip(double origin, double k, double lower, double upper, double& enter,
+                 double& leave) {
+  const double inverse = 1.0 / k;
+  const double a = (lower - origin) * inverse;
+  const double b = (upper - origin) * inverse;
+  enter = std::max(enter, std::min(a, b));
+  leave = std::min(leave, std::max(a, b));
+}
+
+void clip_to_bounds(const Bounds& bounds, const RayPacket& rays, const HitPacket& hits,
+                    LocalRays& local) {
+  for (int i = 0; i < packet_size; ++i) {
+    double enter = rays.s_min[i];
+    double leave = hits.s[i];
+    clip(local.origin.x[i], local.k.x[i], bounds.lower.x, bounds.upper.x, enter, leave);
+    clip(local.origin.y[i], local.k.y[i], bounds.lower.y, bounds.upper.y, enter, leave);
+    clip(local.origin.z[i], local.k.z[i], bounds.lower.z, bounds.upper.z, enter, leave);
+    local.s_enter[i] = enter;
+    local.s_leave[i] = leave;
+    // False for a ray with a NaN anywhere, which must not reach Embree: it would end the process.
+    const bool within = enter <= leave && std::abs(local.rest_t[i]) < 1e300;
+    local.active[i] = within ? rays.active[i] : 0;
+  }
+}
+
+bool any_active(const Lanes<std::int32_t>& active) {
+  std::int32_t any = 0;
+  for (int i = 0; i < packet_size; ++i) any |= active[i];
+  return any != 0;
+}
+
+// The origin moves to where the ray enters the bounds, so that floats only hold what is inside.
+void narrow(const LocalRays& local, RTCRayHit16& query) {
+  for (int i = 0; i < packet_size; ++i) {
+    const double s = local.s_enter[i];
+    query.ray.org_x[i] = static_cast<float>(local.origin.x[i] + s * local.k.x[i]);
+    query.ray.org_y[i] = static_cast<float>(local.origin.y[i] + s * local.k.y[i]);
+    query.ray.org_z[i] = static_cast<float>(local.origin.z[i] + s * local.k.z[i]);
+    query.ray.dir_x[i] = static_cast<float>(local.k.x[i]);
+    query.ray.dir_y[i] = static_cast<float>(local.k.y[i]);
+    query.ray.dir_z[i] = static_cast<float>(local.k.z[i]);
+    query.ray.tnear[i] = 0.0F;
+    query.ray.tfar[i] = static_cast<float>(local.s_leave[i] - s);
+    query.ray.time[i] = 0.0F;
+    query.ray.mask[i] = ~0U;
+    query.ray.id[i] = 0U;
+    query.ray.flags[i] = 0U;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+}
+
+template <class T>
+void replace(bool condition, T& value, const T& by) {
+  value = condition ? by : value;
+}
+
+void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, HitPacket& hits) {
+  for (int i = 0; i < packet_size; ++i) {
+    const bool hit = local.active[i] != 0 && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+    const std::uint32_t instance = query.hit.instID[0][i];
+    const std::uint32_t part = instance == RTC_INVALID_GEOMETRY_ID ? query.hit.geomID[i] : instance;
+    replace(hit, hits.frame[i], own_index);
+    replace(hit, hits.part[i], part);
+    replace(hit, hits.triangle[i], query.hit.primID[i]);
+    replace(hit, hits.bary_u[i], query.hit.u[i]);
+    replace(hit, hits.bary_v[i], query.hit.v[i]);
+    replace(hit, hits.facet_normal.x[i], query.hit.Ng_x[i]);
+    replace(hit, hits.facet_normal.y[i], query.hit.Ng_y[i]);
+    replace(hit, hits.facet_normal.z[i], query.hit.Ng_z[i]);
+    replace(hit, hits.sight.x[i], local.sight.x[i]);
+    replace(hit, hits.sight.y[i], local.sight.y[i]);
+    replace(hit, hits.sight.z[i], local.sight.z[i]);
+    replace(hit, hits.s[i], local.s_enter[i] + static_cast<double>(query.ray.tfar[i]));
+    replace(hit, hits.rest_t[i], local.rest_t[i]);
+    replace(hit, hits.rest_k_t[i], local.rest_k_t[i]);
+    replace(hit, hits.origin.x[i], local.origin.x[i]);
+    replace(hit, hits.origin.y[i], local.origin.y[i]);
+    replace(hit, hits.origin.z[i], local.origin.z[i]);
+    replace(hit, hits.k.x[i], local.k.x[i]);
+    replace(hit, hits.k.y[i], local.k.y[i]);
+    replace(hit, hits.k.z[i], local.k.z[i]);
+  }
+}
+
+// Linear maps commute with s: transform the origin as a point and k as a vector.
+void to_traversal(const Mat3& linear, const Vec3& offset, LocalRays& local) {
+  for (int i = 0; i < packet_size; ++i) {
+    local.origin.set(i, linear * (local.origin.at(i) - offset));
+    local.k.set(i, linear * local.k.at(i));
+  }
+}
+
+}  // namespace
+
+void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
+  LocalRays local;
+  for (int i = 0; i < packet_size; ++i) {
+    const Event<in::Rest> origin = coordinates_(rays.origin.at(i));
+    local.rest_t[i] = origin.t;
+    local.origin.set(i, origin.x);
+  }
+  for (int i = 0; i < packet_size; ++i) {
+    const WaveVector<in::Rest> k = coordinates_(rays.k.at(i));
+    local.rest_k_t[i] = k.t;
+    local.sight.set(i, Vec3f(sight_direction(k)));
+    local.k.set(i, k.x);
+  }
+  to_traversal(traversal_from_rest_linear_, rest_from_traversal_offset_, local);
+  clip_to_bounds(bounds_, rays, hits, local);
+  if (!any_active(local.active)) return;
+
+  RTCRayHit16 query;
+  narrow(local, query);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(&local.active[0], traversed_, &context, &query);
+  keep_hits(local, query, own_index, hits);
+}
+
+void RestFrame::refine(HitPacket& hits, int lane) const {
+  const FramePart& part = parts_[hits.part[lane]];
+  const Triangle& triangle = part.triangles[hits.triangle[lane]];
+  Vec3 corners[3];
+  for (int i = 0; i < 3; ++i) {
+    corners[i] = Vec3(part.positions[triangle[static_cast<std::size_t>(i)]]);
+    if (part.instanced) corners[i] = Vec3(part.traversal_from_local * glm::dvec4(corners[i], 1.0));
+  }
+  const Vec3 k = hits.k.at(lane);
+  const Vec3 edge_u = corners[1] - corners[0];
+  const Vec3 edge_v = corners[2] - corners[0];
+  // From near the triangle, since far away the products below would lose their digits.
+  const double s_near = hits.s[lane];
+  const Vec3 origin = hits.origin.at(lane) + s_near * k - corners[0];
+
+  // Moeller and Trumbore. A ray that grazes the triangle's plane can meet it far outside the
+  // triangle, and Embree's float hit may lie just outside an edge: the weights are kept within it.
+  const Vec3 p = glm::cross(k, edge_v);
+  const double det = glm::dot(edge_u, p);
+  double u = glm::dot(origin, p) / det;
+  double v = glm::dot(k, glm::cross(origin, edge_u)) / det;
+  if (!(std::abs(u) < 2.0 && std::abs(v) < 2.0)) {
+    u = static_cast<double>(hits.bary_u[lane]);
+    v = static_cast<double>(hits.bary_v[lane]);
+  }
+  u = std::clamp(u, 0.0, 1.0);
+  v = std::clamp(v, 0.0, 1.0 - u);
+  const Vec3 point = u * edge_u + v * edge_v;
+  hits.bary_u[lane] = static_cast<float>(u);
+  hits.bary_v[lane] = static_cast<float>(v);
+  hits.s[lane] = s_near + glm::dot(point - origin, k) / glm::dot(k, k);
+}
+
+double RestFrame::s_behind(const HitPacket& hits, int lane) const {
+  constexpr double float_noise = 8.0 * 0x1p-24;
+  const Vec3 k = hits.k.at(lane);
+  const Vec3 point = hits.origin.at(lane) + hits.s[lane] * k;
+  const double size = glm::length(point) + glm::length(bounds_.center());
+  return hits.s[lane] + float_noise * size / glm::length(k);
+}
+
+}  // namespace restframe

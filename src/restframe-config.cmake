@@ -1,0 +1,17 @@
+# find_package(restframe): the target restframe::restframe. Whatever the static libraries link is found
+# here first; tests/consumer_test.cmake fails where one is left out.
+include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+find_dependency(glm)
+find_dependency(embree 3.12)
+find_dependency(TBB)
+find_dependency(OpenEXR 3.1)
+find_dependency(nlohmann_json)
+find_dependency(tinyobjloader)
+find_dependency(OpenMesh)
+find_dependency(fmt)
+find_dependency(spdlog)
+find_dependency(muparser)
+find_dependency(CLI11)
+find_dependency(tomlplusplus)
+include(${CMAKE_CURRENT_LIST_DIR}/restframe-targets.cmake)

@@ -1,0 +1,177 @@
+#include "scene/canonical.h"
+
+#include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <iterator>
+#include <span>
+
+namespace restframe {
+namespace {
+
+class Listing {
+ public:
+  void add(const std::string& key, double value) { line(key, fmt::format("{:.17g}", value)); }
+  void add(const std::string& key, const std::string& value) { line(key, value); }
+  void add(const std::string& key, const Vec3& v) {
+    line(key, fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z));
+  }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  void line(const std::string& key, const std::string& value) {
+    fmt::format_to(std::back_inserter(text_), "{} = {}\n", key, value);
+  }
+  std::string text_;
+};
+
+// XXH3 over plain values.
+class Digest {
+ public:
+  template <class T>
+  void add(std::span<const T> values) {
+    hash_ = XXH3_64bits_withSeed(values.data(), values.size_bytes(), hash_);
+  }
+  template <class T>
+  void add(std::span<T> values) {
+    add(std::span<const T>(values));
+  }
+  std::string hex() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  XXH64_hash_t hash_ = 0;
+};
+
+// Assets are told by their files; generated meshes only by this.
+void add_meshes(Listing& list, const std::vector<Mesh>& meshes) {
+  Digest digest;
+  for (const Mesh& mesh : meshes) {
+    digest.add(std::span(mesh.positions));
+    digest.add(std::span(mesh.triangles));
+    digest.add(std::span(mesh.normals));
+    digest.add(std::span(mesh.uvs[0]));
+    digest.add(std::span(mesh.uvs[1]));
+    digest.add(std::span(mesh.colors));
+    for (const MaterialRange& range : mesh.materials) {
+      digest.add(std::span(&range.first_triangle, 1));
+      digest.add(std::span(&range.slot, 1));
+    }
+  }
+  list.add("meshes", fmt::format("{} {}", meshes.size(), digest.hex()));
+}
+
+void add_worldline(Listing& list, const std::string& key, const Worldline& worldline) {
+  list.add(key + ".position", worldline.reference.x);
+  list.add(key + ".time", worldline.reference.t);
+  list.add(key + ".gamma_beta", worldline.velocity.gamma_beta());
+}
+
+std::string text_of(const std::optional<double>& period) {
+  return period ? fmt::format("period {:.17g}", *period) : "once";
+}
+
+std::string text_of(const TemporalValue& v) {
+  return fmt::format("{} {} {}", v.x, v.y, v.z);
+}
+
+std::string text_of(const TemporalFunction& function) {
+  if (const auto* intervals = std::get_if<IntervalFunction>(&function)) {
+    std::string text = text_of(intervals->period);
+    for (const auto& i : intervals->intervals) {
+      text += fmt::format("; [{:.17g}, {:.17g}) {}", i.begin, i.end, text_of(i.value));
+    }
+    return text;
+  }
+  if (const auto* keys = std::get_if<KeyFunction>(&function)) {
+    std::string text = text_of(keys->period);
+    for (const auto& key : keys->keys)
+      text += fmt::format("; {:.17g} {}", key.time, text_of(key.value));
+    return text;
+  }
+  const auto& formula = std::get<FormulaFunction>(function);
+  std::string text = "formula";
+  for (const std::string& f : formula.formulas) text += "; " + f;
+  if (formula.from) text += "; from " + text_of(*formula.from);
+  if (formula.to) text += "; to " + text_of(*formula.to);
+  return text;
+}
+
+void add_material(Listing& list, const Material& m, const std::string& key) {
+  const auto number = [&](const char* name, const TemporalNumber& n) {
+    list.add(key + name, fmt::format("{} function {}", n.value, n.function));
+  };
+  const auto color = [&](const char* name, const TemporalColor& c) {
+    list.add(key + name, fmt::format("{} function {}", text_of(c.value), c.function));
+  };
+  list.add(key + ".name", m.name);
+  color(".base_color", m.base_color);
+  number(".opacity", m.opacity);
+  number(".metallic", m.metallic);
+  number(".roughness", m.roughness);
+  color(".emission", m.emission);
+  number(".emission_strength", m.emission_strength);
+  list.add(key + ".textures",
+           fmt::format("{} {} {}", m.base_color_texture.texture, m.emission_texture.texture,
+                       m.metallic_roughness_texture.texture));
+  list.add(key + ".flags", fmt::format("{} {} {} {}", static_cast<int>(m.alpha_mode),
+                                       m.alpha_cutoff, m.double_sided, m.unlit));
+}
+
+void add_object(Listing& list, const Object& object, const std::string& key) {
+  list.add(key + ".name", object.name);
+  add_worldline(list, key, object.worldline);
+  list.add(key + ".clock", object.frame_clock ? "frame" : fmt::format("{:.17g}", object.clock));
+  Digest parts;
+  for (const PlacedMesh& part : object.parts) {
+    parts.add(std::span(&part.mesh, 1));
+    parts.add(std::span(&part.object_from_mesh, 1));
+  }
+  list.add(key + ".parts", fmt::format("{} {}", object.parts.size(), parts.hex()));
+  std::string materials;
+  for (const int m : object.materials) materials += fmt::format("{} ", m);
+  list.add(key + ".materials", materials);
+}
+
+void add_camera(Listing& list, const Camera& camera) {
+  add_worldline(list, "camera", camera.worldline);
+  if (const auto* direction = std::get_if<AimDirection>(&camera.aim)) {
+    list.add("camera.direction", direction->direction);
+  } else {
+    list.add("camera.look_at", std::get<AimPoint>(camera.aim).point);
+  }
+  list.add("camera.up", camera.up);
+  list.add("camera.fov", camera.vertical_fov);
+}
+
+}  // namespace
+
+std::string canonical_settings(const Scene& scene) {
+  Listing list;
+  list.add("scene.light_speed", scene.light_speed);
+  add_camera(list, scene.camera);
+  list.add("animation.rate", scene.animation.rate);
+  list.add("animation.start", scene.animation.start);
+  list.add("render.resolution", fmt::format("{} {}", scene.render.width, scene.render.height));
+  list.add("render.samples", scene.render.samples);
+  list.add("render.beaming", scene.render.beaming ? "true" : "false");
+  list.add("render.seed", fmt::format("{}", scene.render.seed));
+  std::string layers;
+  for (const Layer layer : scene.output.layers)
+    layers += fmt::format("{} ", static_cast<int>(layer));
+  list.add("output.layers", layers);
+  list.add("output.compression", static_cast<int>(scene.output.compression));
+  add_meshes(list, scene.meshes);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    add_object(list, scene.objects[i], fmt::format("object.{}", i));
+  }
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    add_material(list, scene.materials[i], fmt::format("material.{}", i));
+  }
+  for (std::size_t i = 0; i < scene.functions.size(); ++i) {
+    list.add(fmt::format("function.{}", i), text_of(scene.functions[i]));
+  }
+  return std::move(list).text();
+}
+
+}  // namespace restframe

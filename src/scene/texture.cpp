@@ -1,0 +1,72 @@
+#include "scene/texture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace restframe {
+namespace {
+
+// IEC 61966-2-1: from an encoded value in 0..1 to linear light.
+float linear_from_srgb(float encoded) {
+  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+
+std::array<float, 256> make_table(bool srgb) {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const float value = static_cast<float>(i) / 255;
+    table[i] = srgb ? linear_from_srgb(value) : value;
+  }
+  return table;
+}
+
+const std::array<float, 256> srgb_table = make_table(true), data_table = make_table(false);
+
+// Into one period (two image widths where mirrored; the image itself where clamped), so that texel
+// numbers stay small whatever the coordinate. A coordinate that is not finite becomes 0.
+float reduce(float x, Wrap wrap) {
+  if (!std::isfinite(x)) return 0;
+  if (wrap == Wrap::clamp) return std::clamp(x, 0.0F, 1.0F);
+  const float period = wrap == Wrap::repeat ? 1.0F : 2.0F;
+  return x - period * std::floor(x / period);
+}
+
+// The texel that stands at place i of an endless row, of which i is at most one texel outside a
+// period.
+int wrapped(int i, int size, Wrap wrap) {
+  if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
+  if (wrap == Wrap::repeat) return (i + size) % size;
+  const int place = (i + 2 * size) % (2 * size);
+  return place < size ? place : 2 * size - 1 - place;
+}
+
+Vec4f texel(const Texture& texture, const Image& image, int i, int j) {
+  const auto column = static_cast<std::size_t>(wrapped(i, image.width, texture.wrap_u));
+  const auto row = static_cast<std::size_t>(wrapped(j, image.height, texture.wrap_v));
+  const std::uint8_t* rgba =
+      image.rgba.data() + 4 * (row * static_cast<std::size_t>(image.width) + column);
+  const std::array<float, 256>& table = texture.srgb ? srgb_table : data_table;
+  return {table[rgba[0]], table[rgba[1]], table[rgba[2]], data_table[rgba[3]]};
+}
+
+}  // namespace
+
+Vec4f sample_texture(const Texture& texture, const Image& image, const Vec2f& uv) {
+  if (image.rgba.empty()) return Vec4f(1);
+  const float x = reduce(uv.x, texture.wrap_u) * static_cast<float>(image.width);
+  const float y = reduce(uv.y, texture.wrap_v) * static_cast<float>(image.height);
+  if (texture.filter == TextureFilter::nearest) {
+    return texel(texture, image, static_cast<int>(x), static_cast<int>(y));
+  }
+  // Texel centres are at half-integers.
+  const float left = std::floor(x - 0.5F), top = std::floor(y - 0.5F);
+  const float s = x - 0.5F - left, t = y - 0.5F - top;
+  const int i = static_cast<int>(left), j = static_cast<int>(top);
+  const Vec4f above = glm::mix(texel(texture, image, i, j), texel(texture, image, i + 1, j), s);
+  const Vec4f below =
+      glm::mix(texel(texture, image, i, j + 1), texel(texture, image, i + 1, j + 1), s);
+  return glm::mix(above, below, t);
+}
+
+}  // namespace restframe

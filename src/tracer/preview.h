@@ -1,0 +1,57 @@
+#pragma once
+
+#include "scene/temporal_evaluator.h"
+#include "tracer/random.h"
+#include "tracer/sample.h"
+#include "tracer/surface.h"
+
+namespace restframe {
+
+// The `preview` integrator: base colour times |cos| between ray and normal in the rest frame, plus emission,
+// at the hit's own time; no lights. Transparent surfaces are composited exactly, front to back.
+class Preview {
+ public:
+  // Both must outlive the integrator.
+  Preview(const Scene& scene, const FrameSet& frames);
+
+  // `evaluator` belongs to the calling thread. `data`, if wanted, gets the first surface that a stochastic
+  // opacity test keeps.
+  void trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
+             RadianceLanes& radiance, SurfaceDataLanes* data) const;
+
+ private:
+  struct Shaded {
+    Vec3f color{0};  // premultiplied
+    float alpha = 0;
+  };
+  // What a material is in this integrator, as far as it never changes.
+  struct Plain {
+    bool always =
+        false;  // the numbers below are all there is: no texture, no clock, no transparency
+    bool double_sided = false;
+    Vec3f lit{0}, unlit{0};  // base colour: times the cosine, and as it is
+    Vec3f emission{0};
+  };
+  static Plain plain(const Material& material);
+
+  // One lane of what a packet met. Hits are refined where something depends on exactly when they are.
+  struct Met {
+    const RayPacket& rays;
+    const SurfaceLanes& surfaces;
+    HitPacket& hits;
+    int lane;
+  };
+  Shaded shade(const Met& met, TemporalEvaluator& evaluator) const;
+  Shaded shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
+  float coverage(const Material& material, const Met& met, float texture_alpha, double clock,
+                 TemporalEvaluator& evaluator) const;
+  Vec4f texel(const TextureUse& use, const Met& met) const;
+  SurfaceData data_of(const Met& met) const;
+
+  const Scene& scene_;
+  const FrameSet& frames_;
+  std::vector<ObjectPlace> places_;
+  std::vector<Plain> plain_;  // a material each
+};
+
+}  // namespace restframe

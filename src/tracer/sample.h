@@ -1,0 +1,25 @@
+#pragma once
+
+#include "frames/packet.h"
+
+namespace restframe {
+
+// What 16 samples saw: linear Rec. 709, premultiplied by coverage a.
+struct RadianceLanes {
+  Lanes<float> r, g, b, a;
+};
+
+// What data layers say of one sample (design, section 7). Lengths in light-seconds.
+struct SurfaceData {
+  bool hit = false;
+  int object = 0, material = 0;
+  double distance = 0;  // that the light travelled, in the camera's rest frame
+  double time_proper = 0, time_world = 0;
+  double doppler = 0;
+  Vec3 position{0};  // rest frame, relative to the object's origin
+  Vec3 normal{0};
+  Vec2f uv{0};
+};
+using SurfaceDataLanes = Lanes<SurfaceData>;
+
+}  // namespace restframe

@@ -1,0 +1,141 @@
+#include "support/exr_reader.h"
+
+#include <ImfBoxAttribute.h>
+#include <ImfChannelList.h>
+#include <ImfCompressionAttribute.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFloatAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfIntAttribute.h>
+#include <ImfMatrixAttribute.h>
+#include <ImfRationalAttribute.h>
+#include <ImfStringAttribute.h>
+#include <ImfStringVectorAttribute.h>
+#include <ImfVecAttribute.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace restframe {
+namespace {
+
+template <class Number>
+std::string list_text(const Number* values, int count) {
+  return fmt::format("{}", fmt::join(values, values + count, " "));
+}
+
+std::string text_of(const std::string& value) {
+  return value;
+}
+std::string text_of(int value) {
+  return fmt::format("{}", value);
+}
+std::string text_of(float value) {
+  return fmt::format("{}", value);
+}
+std::string text_of(double value) {
+  return fmt::format("{}", value);
+}
+std::string text_of(const Imf::Rational& r) {
+  return fmt::format("{}/{}", r.n, r.d);
+}
+std::string text_of(const Imath::Box2i& b) {
+  return fmt::format("{} {} {} {}", b.min.x, b.min.y, b.max.x, b.max.y);
+}
+template <class T>
+std::string text_of(const Imath::Vec2<T>& v) {
+  return list_text(&v.x, 2);
+}
+template <class T>
+std::string text_of(const Imath::Vec3<T>& v) {
+  return list_text(&v.x, 3);
+}
+template <class T>
+std::string text_of(const Imath::Matrix44<T>& m) {
+  return list_text(&m.x[0][0], 16);
+}
+std::string text_of(const Imf::StringVector& lines) {
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+std::string text_of(Imf::Compression compression) {
+  constexpr std::array names = {"none",  "rle", "zips", "zip",  "piz",
+                                "pxr24", "b44", "b44a", "dwaa", "dwab"};
+  const auto index = static_cast<std::size_t>(compression);
+  return index < names.size() ? names[index] : "unknown";
+}
+
+template <class T>
+bool describe(const Imf::Attribute& attribute, std::string& text) {
+  const auto* typed = dynamic_cast<const Imf::TypedAttribute<T>*>(&attribute);
+  if (typed) text = text_of(typed->value());
+  return typed != nullptr;
+}
+
+template <class... Types>
+std::string description(const Imf::Attribute& attribute) {
+  std::string text;
+  if ((describe<Types>(attribute, text) || ...)) return text;
+  return fmt::format("({})", attribute.typeName());
+}
+
+std::string text_of_attribute(const Imf::Attribute& attribute) {
+  return description<std::string, int, float, double, Imf::Rational, Imath::Box2i, Imath::V2i,
+                     Imath::V2f, Imath::V2d, Imath::V3i, Imath::V3f, Imath::V3d, Imath::M44f,
+                     Imath::M44d, Imf::StringVector, Imf::Compression>(attribute);
+}
+
+// OpenEXR wants the address that the pixel (0, 0) would have, which may lie outside the data.
+void read_channels(Imf::InputFile& file, const Imath::Box2i& window, ExrPicture& picture) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  const std::size_t row = sizeof(float) * static_cast<std::size_t>(picture.width);
+  Imf::FrameBuffer buffer;
+  const Imf::ChannelList& channels = file.header().channels();
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
+    std::vector<float>& values = picture.channels[channel.name()];
+    values.resize(pixels);
+    buffer.insert(channel.name(),
+                  Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float), row));
+  }
+  file.setFrameBuffer(buffer);
+  file.readPixels(window.min.y, window.max.y);
+}
+
+}  // namespace
+
+const std::vector<float>& ExrPicture::channel(const std::string& name) const {
+  const auto found = channels.find(name);
+  if (found != channels.end()) return found->second;
+  std::string there;
+  for (const auto& [other, values] : channels) there += " " + other;
+  throw std::runtime_error("no channel " + name + " among" + there);
+}
+
+float ExrPicture::at(const std::string& name, int x, int y) const {
+  if (x < 0 || y < 0 || x >= width || y >= height) throw std::runtime_error("outside the picture");
+  const int index = y * width + x;
+  return channel(name)[static_cast<std::size_t>(index)];
+}
+
+ExrPicture read_exr(const std::filesystem::path& path) {
+  try {
+    Imf::InputFile file(path.c_str());
+    if (!file.isComplete()) throw std::runtime_error("incomplete");
+    const Imath::Box2i window = file.header().dataWindow();
+    ExrPicture picture;
+    picture.width = window.max.x - window.min.x + 1;
+    picture.height = window.max.y - window.min.y + 1;
+    for (auto entry = file.header().begin(); entry != file.header().end(); ++entry) {
+      picture.attributes[entry.name()] = text_of_attribute(entry.attribute());
+    }
+    read_channels(file, window, picture);
+    return picture;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace restframe
