@@ -90,7 +90,8 @@ void add(RadianceLanes& sum, const RadianceLanes& radiance) {
 void render_block(const PictureView& view, const Block& block, TemporalEvaluator& evaluator,
                   Picture& picture) {
   const int samples = picture.has_beauty() ? view.context.scene.render.samples : 1;
-  RadianceLanes sum{};
+  RadianceLanes sum;
+  sum.fill(0.0F);
   PacketId id = block_id(view, block);
   for (int sample = 0; sample < samples; ++sample) {
     id.sample = static_cast<std::uint32_t>(sample);
@@ -151,19 +152,21 @@ double picture_time(const AnimationSettings& animation, int number) {
   return animation.start + number / animation.rate;
 }
 
-Picture render_picture(const RenderContext& context, int number) {
+Picture blank_picture(const Scene& scene) {
+  return {scene.render.width, scene.render.height, scene.output.layers, {scene.light_speed}};
+}
+
+void render_picture(const RenderContext& context, int number, Picture& picture) {
   const Scene& scene = context.scene;
   const RenderSettings& settings = scene.render;
   const CameraPose pose = pose_at(scene.camera, picture_time(scene.animation, number));
   const Projection projection(pose, scene.camera.vertical_fov, settings.width, settings.height);
   const PictureView view{context, number, pose, projection, film_offsets(settings.samples)};
-  Picture picture(settings.width, settings.height, scene.output.layers, {scene.light_speed});
   const auto tiles = [](int length) {
     return static_cast<std::size_t>((length + tile_size - 1) / tile_size);
   };
   parallel_for(tiles(settings.width) * tiles(settings.height),
                [&](std::size_t tile) { render_tile(view, tile, picture); });
-  return picture;
 }
 
 }  // namespace restframe

@@ -72,13 +72,14 @@ struct WaveVectorLanes {
 template <class To, class From>
 void transform(const Boost<To, From>& to_from, const WaveVectorLanes<From>& from,
                WaveVectorLanes<To>& to) {
-  if (to_from.is_identity()) {
-    to.t = from.t;
-    to.x = from.x;
+  const Boost<To, From> boost = to_from;
+  if (boost.is_identity()) {
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) to.set(i, {from.t[i], from.x.at(i)});
     return;
   }
 #pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) to.set(i, to_from(from.at(i)));
+  for (int i = 0; i < packet_size; ++i) to.set(i, boost(from.at(i)));
 }
 
 // Rays traced back in time: points are origin + s k with s > s_min. Inactive lanes find nothing.

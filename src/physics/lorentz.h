@@ -45,13 +45,18 @@ class Boost {
     const double omega = -k.t;
     const double u_dot_x = glm::dot(u, k.x);
     const Vec3 u_cross_x = glm::cross(u, k.x);
-    const double omega_to =
-        u_dot_x < 0.0 ? (omega * omega + glm::dot(u_cross_x, u_cross_x)) / (gamma * omega - u_dot_x)
-                      : gamma * omega + u_dot_x;
+    // omega' = numerator / sum without a difference; one division gives it and its inverse, and the choice
+    // of the numerator is no branch.
+    const double sum = gamma * omega + std::abs(u_dot_x);
+    const double numerator =
+        u_dot_x < 0.0 ? omega * omega + glm::dot(u_cross_x, u_cross_x) : sum * sum;
+    const double inverse = 1.0 / (sum * numerator);
+    const double omega_to = numerator * numerator * inverse;
+    const double inverse_omega_to = sum * sum * inverse;
     const Vec3 x_to = k.x + u * ((omega + omega_to) * inverse_gamma_plus_1_);
-    // omega_to / |x_to| to first order in their difference, which is rounding: what is left is its square.
-    const double squared_ratio = glm::dot(x_to, x_to) / (omega_to * omega_to);
-    return {-omega_to, x_to * (1.5 - 0.5 * squared_ratio)};
+    // omega' / |x'| to first order in their difference, which is rounding: what is left is its square.
+    const Vec3 unit = x_to * inverse_omega_to;
+    return {-omega_to, x_to * (1.5 - 0.5 * glm::dot(unit, unit))};
   }
 
  private:
