@@ -37,6 +37,11 @@ struct Vec3fLanes {
   Lanes<float> x, y, z;
 
   Vec3f at(int i) const { return {x[i], y[i], z[i]}; }
+  void set(int i, const Vec3f& v) {
+    x[i] = v.x;
+    y[i] = v.y;
+    z[i] = v.z;
+  }
 };
 
 template <class Frame>
@@ -84,6 +89,7 @@ struct HitPacket {
   Lanes<double> s;
   Lanes<float> bary_u, bary_v;  // weights of the triangle's second and third corner
   Vec3fLanes facet_normal;      // Embree's: any length, in the coordinates of FramePart::positions
+  Vec3fLanes sight;             // unit direction of the ray in rest-frame axes
   Lanes<double> rest_t;         // the ray origin's rest-frame time, and ...
   Lanes<double> rest_k_t;       // ... the wave vector's time part there
   Vec3Lanes origin, k;          // traversal coordinates

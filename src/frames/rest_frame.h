@@ -64,10 +64,6 @@ class RestFrame {
     return rest_from_traversal_linear_ * traversal + rest_from_traversal_offset_;
   }
 
-  Vec3 rest_direction(const Vec3& traversal) const {
-    return rest_from_traversal_linear_ * traversal;
-  }
-
   // What the clock of `object` shows at rest-frame time 0, that is, at the anchor.
   double clock_at_anchor(const Object& object) const;
   // Where the object's origin rests.

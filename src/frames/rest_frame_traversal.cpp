@@ -12,6 +12,7 @@ namespace {
 // A packet in the traversal coordinates of one rest frame.
 struct LocalRays {
   Lanes<double> rest_t, rest_k_t;
+  Vec3fLanes sight;
   Vec3Lanes origin, k;
   Lanes<double> s_enter, s_leave;  // where the ray is within the frame's bounds
   Lanes<std::int32_t> active;
@@ -21,8 +22,9 @@ struct LocalRays {
 // NaN for a ray in the slab's face, which std::min and std::max in this order leave without effect.
 inline void clip(double origin, double k, double lower, double upper, double& enter,
                  double& leave) {
-  const double a = (lower - origin) / k;
-  const double b = (upper - origin) / k;
+  const double inverse = 1.0 / k;
+  const double a = (lower - origin) * inverse;
+  const double b = (upper - origin) * inverse;
   enter = std::max(enter, std::min(a, b));
   leave = std::min(leave, std::max(a, b));
 }
@@ -88,6 +90,9 @@ void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, 
     replace(hit, hits.facet_normal.x[i], query.hit.Ng_x[i]);
     replace(hit, hits.facet_normal.y[i], query.hit.Ng_y[i]);
     replace(hit, hits.facet_normal.z[i], query.hit.Ng_z[i]);
+    replace(hit, hits.sight.x[i], local.sight.x[i]);
+    replace(hit, hits.sight.y[i], local.sight.y[i]);
+    replace(hit, hits.sight.z[i], local.sight.z[i]);
     replace(hit, hits.s[i], local.s_enter[i] + static_cast<double>(query.ray.tfar[i]));
     replace(hit, hits.rest_t[i], local.rest_t[i]);
     replace(hit, hits.rest_k_t[i], local.rest_k_t[i]);
@@ -120,6 +125,7 @@ void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits)
   for (int i = 0; i < packet_size; ++i) {
     const WaveVector<in::Rest> k = coordinates_(rays.k.at(i));
     local.rest_k_t[i] = k.t;
+    local.sight.set(i, Vec3f(sight_direction(k)));
     local.k.set(i, k.x);
   }
   to_traversal(traversal_from_rest_linear_, rest_from_traversal_offset_, local);

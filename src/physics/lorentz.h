@@ -25,7 +25,8 @@ class Boost {
   Boost() = default;
 
   // velocity: of the frame `To`, measured in the frame `From`.
-  explicit Boost(const Velocity& velocity) : velocity_(velocity) {}
+  explicit Boost(const Velocity& velocity)
+      : velocity_(velocity), inverse_gamma_plus_1_(1.0 / (velocity.gamma() + 1.0)) {}
 
   const Velocity& velocity() const { return velocity_; }
   Boost<From, To> inverse() const { return Boost<From, To>(-velocity_); }
@@ -34,7 +35,7 @@ class Boost {
     const Vec3& u = velocity_.gamma_beta();
     const double gamma = velocity_.gamma();
     const double u_dot_x = glm::dot(u, d.x);
-    return {gamma * d.t - u_dot_x, d.x + u * (u_dot_x / (gamma + 1.0) - d.t)};
+    return {gamma * d.t - u_dot_x, d.x + u * (u_dot_x * inverse_gamma_plus_1_ - d.t)};
   }
 
   WaveVector<To> operator()(const WaveVector<From>& k) const {
@@ -46,12 +47,15 @@ class Boost {
     const double omega_to =
         u_dot_x < 0.0 ? (omega * omega + glm::dot(u_cross_x, u_cross_x)) / (gamma * omega - u_dot_x)
                       : gamma * omega + u_dot_x;
-    const Vec3 x_to = k.x + u * ((omega + omega_to) / (gamma + 1.0));
-    return {-omega_to, x_to * (omega_to / glm::length(x_to))};
+    const Vec3 x_to = k.x + u * ((omega + omega_to) * inverse_gamma_plus_1_);
+    // omega_to / |x_to| to first order in their difference, which is rounding: what is left is its square.
+    const double squared_ratio = glm::dot(x_to, x_to) / (omega_to * omega_to);
+    return {-omega_to, x_to * (1.5 - 0.5 * squared_ratio)};
   }
 
  private:
   Velocity velocity_;
+  double inverse_gamma_plus_1_ = 0.5;
 };
 
 // The velocity, in the frame `From`, of something that moves with `velocity` in the frame `To`.

@@ -37,70 +37,75 @@ Preview::Plain Preview::plain(const Material& m) {
   result.always = !changes && !textured && m.alpha_mode == AlphaMode::opaque;
   result.double_sided = m.double_sided;
   result.lit = m.unlit ? Vec3f(0) : m.base_color.value;
-  result.unlit = m.emission.value * m.emission_strength.value;
-  if (m.unlit) result.unlit += m.base_color.value;
+  result.unlit = m.unlit ? m.base_color.value : Vec3f(0);
+  result.emission = m.emission.value * m.emission_strength.value;
   return result;
 }
 
-Vec4f Preview::texel(const TextureUse& use, const Surface& surface) const {
+Vec4f Preview::texel(const TextureUse& use, const Met& met) const {
   if (use.texture < 0) return Vec4f(1);
   const Texture& texture = scene_.textures[static_cast<std::size_t>(use.texture)];
   const Image& image = scene_.images[static_cast<std::size_t>(texture.image)];
-  return sample_texture(texture, image, surface.uv[static_cast<std::size_t>(use.uv_set)]);
+  return sample_texture(texture, image, uv_at(scene_, frames_, met.hits, met.lane, use.uv_set));
 }
 
-float Preview::coverage(const Material& material, const Surface& surface, float texture_alpha,
-                        double clock, TemporalEvaluator& evaluator) const {
-  if (surface.back && !material.double_sided) return 0.0F;
+float Preview::coverage(const Material& material, const Met& met, float texture_alpha, double clock,
+                        TemporalEvaluator& evaluator) const {
+  if (met.surfaces.back[met.lane] != 0 && !material.double_sided) return 0.0F;
   if (material.alpha_mode == AlphaMode::opaque) return 1.0F;
-  const float alpha = evaluator(material.opacity, clock) * texture_alpha * surface.color.w;
+  const float alpha =
+      evaluator(material.opacity, clock) * texture_alpha * met.surfaces.color[met.lane].w;
   if (material.alpha_mode == AlphaMode::mask) return alpha >= material.alpha_cutoff ? 1.0F : 0.0F;
   return glm::clamp(alpha, 0.0F, 1.0F);
 }
 
-Preview::Shaded Preview::shade_changing(const Surface& surface, double clock,
-                                        TemporalEvaluator& evaluator) const {
-  const Material& material = scene_.materials[static_cast<std::size_t>(surface.material)];
-  const Vec4f base_texel = texel(material.base_color_texture, surface);
-  const float alpha = coverage(material, surface, base_texel.w, clock, evaluator);
+Preview::Shaded Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) const {
+  const SurfaceLanes& surfaces = met.surfaces;
+  const Material& material =
+      scene_.materials[static_cast<std::size_t>(surfaces.material[met.lane])];
+  frames_.refine(met.hits, met.lane);
+  const double clock =
+      clock_at(places_[static_cast<std::size_t>(surfaces.object[met.lane])], met.hits, met.lane);
+  const Vec4f base_texel = texel(material.base_color_texture, met);
+  const float alpha = coverage(material, met, base_texel.w, clock, evaluator);
   if (alpha <= 0.0F) return {};
   const Vec3f base =
-      evaluator(material.base_color, clock) * Vec3f(base_texel) * Vec3f(surface.color);
+      evaluator(material.base_color, clock) * Vec3f(base_texel) * Vec3f(surfaces.color[met.lane]);
   const Vec3f emission = evaluator(material.emission, clock) *
                          evaluator(material.emission_strength, clock) *
-                         Vec3f(texel(material.emission_texture, surface));
-  return {alpha * (base * (material.unlit ? 1.0F : surface.cosine) + emission), alpha};
+                         Vec3f(texel(material.emission_texture, met));
+  return {alpha * (base * (material.unlit ? 1.0F : surfaces.cosine[met.lane]) + emission), alpha};
 }
 
-Preview::Shaded Preview::shade(const Surface& surface, HitPacket& hits, int lane,
-                               TemporalEvaluator& evaluator) const {
-  const Plain& plain = plain_[static_cast<std::size_t>(surface.material)];
+Preview::Shaded Preview::shade(const Met& met, TemporalEvaluator& evaluator) const {
+  const SurfaceLanes& surfaces = met.surfaces;
+  const Plain& plain = plain_[static_cast<std::size_t>(surfaces.material[met.lane])];
   Shaded shaded;
   if (!plain.always) {
-    frames_.refine(hits, lane);
-    const ObjectPlace& place = places_[static_cast<std::size_t>(surface.object)];
-    shaded = shade_changing(surface, clock_at(place, hits, lane), evaluator);
-  } else if (!surface.back || plain.double_sided) {
-    shaded = {plain.lit * surface.cosine * Vec3f(surface.color) + plain.unlit, 1.0F};
+    shaded = shade_changing(met, evaluator);
+  } else if (surfaces.back[met.lane] == 0 || plain.double_sided) {
+    const Vec3f color(surfaces.color[met.lane]);
+    shaded = {(plain.lit * surfaces.cosine[met.lane] + plain.unlit) * color + plain.emission, 1.0F};
   }
-  if (scene_.render.beaming) shaded.color *= beaming_factor(doppler_at(hits, lane));
+  if (scene_.render.beaming) shaded.color *= beaming_factor(doppler_at(met.hits, met.lane));
   return shaded;
 }
 
-SurfaceData Preview::data_of(const Surface& surface, const RayPacket& rays, const HitPacket& hits,
-                             int lane) const {
-  const ObjectPlace& place = places_[static_cast<std::size_t>(surface.object)];
+SurfaceData Preview::data_of(const Met& met) const {
+  const int lane = met.lane;
+  frames_.refine(met.hits, lane);
+  const ObjectPlace& place = places_[static_cast<std::size_t>(met.surfaces.object[lane])];
   SurfaceData data;
   data.hit = true;
-  data.object = surface.object;
-  data.material = surface.material;
-  data.distance = hits.s[lane];
-  data.time_proper = clock_at(place, hits, lane);
-  data.time_world = rays.origin.t[lane] + hits.s[lane] * rays.k.t[lane];
-  data.doppler = doppler_at(hits, lane);
-  data.position = position_on_object(frames_, place, hits, lane);
-  data.normal = surface.normal;
-  data.uv = surface.uv[0];
+  data.object = met.surfaces.object[lane];
+  data.material = met.surfaces.material[lane];
+  data.distance = met.hits.s[lane];
+  data.time_proper = clock_at(place, met.hits, lane);
+  data.time_world = met.rays.origin.t[lane] + met.hits.s[lane] * met.rays.k.t[lane];
+  data.doppler = doppler_at(met.hits, lane);
+  data.position = position_on_object(frames_, place, met.hits, lane);
+  data.normal = Vec3(met.surfaces.normal.at(lane));
+  data.uv = uv_at(scene_, frames_, met.hits, lane, 0);
   return data;
 }
 
@@ -109,21 +114,22 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
   radiance = {};
   if (data != nullptr) data->fill({});
   HitPacket hits;
+  SurfaceLanes surfaces;
   bool passing = true;
   for (std::uint32_t layer = 0; passing && layer < most_layers; ++layer) {
     frames_.nearest(rays, hits);
+    surfaces_at(scene_, frames_, hits, rays.active, surfaces);
     passing = false;
     for (int lane = 0; lane < packet_size; ++lane) {
       if (rays.active[lane] == 0) continue;
       rays.active[lane] = 0;
       if (hits.frame[lane] < 0) continue;
-      const Surface surface = surface_at(scene_, frames_, hits, lane);
-      const Shaded shaded = shade(surface, hits, lane, evaluator);
+      const Met met{rays, surfaces, hits, lane};
+      const Shaded shaded = shade(met, evaluator);
       composite(radiance, lane, shaded.color, shaded.alpha);
       if (data != nullptr && !(*data)[lane].hit &&
           random_unit(id, lane, Dimension::opacity, layer) < shaded.alpha) {
-        frames_.refine(hits, lane);
-        (*data)[lane] = data_of(surface, rays, hits, lane);
+        (*data)[lane] = data_of(met);
       }
       if (1.0F - radiance.a[lane] < least_transmittance) {
         radiance.a[lane] = 1.0F;

@@ -29,18 +29,24 @@ class Preview {
     bool always =
         false;  // the numbers below are all there is: no texture, no clock, no transparency
     bool double_sided = false;
-    Vec3f lit{0}, unlit{0};  // times the cosine, and as it is
+    Vec3f lit{0}, unlit{0};  // base colour: times the cosine, and as it is
+    Vec3f emission{0};
   };
   static Plain plain(const Material& material);
 
-  Shaded shade(const Surface& surface, HitPacket& hits, int lane,
-               TemporalEvaluator& evaluator) const;
-  Shaded shade_changing(const Surface& surface, double clock, TemporalEvaluator& evaluator) const;
-  float coverage(const Material& material, const Surface& surface, float texture_alpha,
-                 double clock, TemporalEvaluator& evaluator) const;
-  Vec4f texel(const TextureUse& use, const Surface& surface) const;
-  SurfaceData data_of(const Surface& surface, const RayPacket& rays, const HitPacket& hits,
-                      int lane) const;
+  // One lane of what a packet met. Hits are refined where something depends on exactly when they are.
+  struct Met {
+    const RayPacket& rays;
+    const SurfaceLanes& surfaces;
+    HitPacket& hits;
+    int lane;
+  };
+  Shaded shade(const Met& met, TemporalEvaluator& evaluator) const;
+  Shaded shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
+  float coverage(const Material& material, const Met& met, float texture_alpha, double clock,
+                 TemporalEvaluator& evaluator) const;
+  Vec4f texel(const TextureUse& use, const Met& met) const;
+  SurfaceData data_of(const Met& met) const;
 
   const Scene& scene_;
   const FrameSet& frames_;
