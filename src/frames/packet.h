@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "physics/four_vector.h"
+#include "physics/lorentz.h"
 
 namespace restframe {
 
@@ -67,6 +67,19 @@ struct WaveVectorLanes {
     x.set(i, k.x);
   }
 };
+
+// Boosts 16 wave vectors. Many frames are at rest in the world: those cost nothing.
+template <class To, class From>
+void transform(const Boost<To, From>& to_from, const WaveVectorLanes<From>& from,
+               WaveVectorLanes<To>& to) {
+  if (to_from.is_identity()) {
+    to.t = from.t;
+    to.x = from.x;
+    return;
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) to.set(i, to_from(from.at(i)));
+}
 
 // Rays traced back in time: points are origin + s k with s > s_min. Inactive lanes find nothing.
 struct RayPacket {

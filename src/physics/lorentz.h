@@ -29,6 +29,7 @@ class Boost {
       : velocity_(velocity), inverse_gamma_plus_1_(1.0 / (velocity.gamma() + 1.0)) {}
 
   const Velocity& velocity() const { return velocity_; }
+  bool is_identity() const { return velocity_.gamma_beta() == Vec3(0); }
   Boost<From, To> inverse() const { return Boost<From, To>(-velocity_); }
 
   Displacement<To> operator()(const Displacement<From>& d) const {

@@ -111,7 +111,8 @@ SurfaceData Preview::data_of(const Met& met) const {
 
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
                     RadianceLanes& radiance, SurfaceDataLanes* data) const {
-  radiance = {};
+  for (Lanes<float>* channel : {&radiance.r, &radiance.g, &radiance.b, &radiance.a})
+    channel->fill(0);
   if (data != nullptr) data->fill({});
   HitPacket hits;
   SurfaceLanes surfaces;

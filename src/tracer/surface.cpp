@@ -25,6 +25,7 @@ Lanes<std::int32_t> take_group(const HitPacket& hits, int first, Lanes<std::int3
   const std::int32_t frame = hits.frame[first];
   const std::uint32_t part = hits.part[first];
   Lanes<std::int32_t> group;
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const bool same = hits.frame[i] == frame && hits.part[i] == part;
     group[i] = same ? waiting[i] : 0;
@@ -39,6 +40,7 @@ Lanes<const Triangle*> triangles_of(const Mesh& mesh, const HitPacket& hits, int
   Lanes<const Triangle*> triangles;
   for (int i = 0; i < packet_size; ++i) {
     triangles[i] = &mesh.triangles[hits.triangle[group[i] != 0 ? i : first]];
+    __builtin_prefetch(triangles[i]);
   }
   return triangles;
 }
@@ -50,6 +52,10 @@ struct CornerNormals {
 
 void gather_normals(const Mesh& mesh, const Lanes<const Triangle*>& triangles,
                     CornerNormals& corners) {
+  // All misses under way before the first is waited for.
+  for (const Triangle* t : triangles.lane) {
+    for (const std::uint32_t vertex : *t) __builtin_prefetch(&mesh.normals[vertex]);
+  }
   for (int i = 0; i < packet_size; ++i) {
     const Triangle& t = *triangles[i];
     corners.a.set(i, mesh.normals[t[0]]);
@@ -60,6 +66,7 @@ void gather_normals(const Mesh& mesh, const Lanes<const Triangle*>& triangles,
 
 // Normals in mesh coordinates, of any length.
 void interpolate(const CornerNormals& corners, const HitPacket& hits, Vec3fLanes& normal) {
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const float u = hits.bary_u[i];
     const float v = hits.bary_v[i];
@@ -67,25 +74,32 @@ void interpolate(const CornerNormals& corners, const HitPacket& hits, Vec3fLanes
   }
 }
 
+// Of any length, in rest-frame axes.
+void to_rest(const glm::mat3& rest_from_local, const Vec3fLanes& local, Vec3fLanes& rest) {
+  const glm::mat3 m = rest_from_local;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) rest.set(i, m * local.at(i));
+}
+
 // The least squared length that is not a degenerate normal's.
 constexpr float tiny = 1e-30F;
 
-void orient(const glm::mat3& rest_from_mesh, const glm::mat3& rest_from_facet,
-            const Vec3fLanes& mesh_normal, const HitPacket& hits, const Lanes<std::int32_t>& group,
-            SurfaceLanes& surfaces) {
+// Facet and normal: of any length, in rest-frame axes, to the front.
+void orient(const Vec3fLanes& facet, const Vec3fLanes& normal, const Vec3fLanes& sight,
+            const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const Vec3f sight = hits.sight.at(i);
-    const float facing = glm::dot(rest_from_facet * hits.facet_normal.at(i), sight);
-    const Vec3f normal = rest_from_mesh * mesh_normal.at(i);
-    const float along = glm::dot(normal, sight);
-    const float inverse_length = 1.0F / std::sqrt(std::max(glm::dot(normal, normal), tiny));
-    const float towards_ray = along > 0.0F ? -inverse_length : inverse_length;
     const bool in_group = group[i] != 0;
+    const float facing = glm::dot(facet.at(i), sight.at(i));
+    const float along = glm::dot(normal.at(i), sight.at(i));
+    const float squared = glm::dot(normal.at(i), normal.at(i));
+    const float inverse_length = 1.0F / std::sqrt(squared > tiny ? squared : tiny);
+    const float towards_ray = along > 0.0F ? -inverse_length : inverse_length;
     surfaces.back[i] = in_group ? (facing > 0.0F ? 1 : 0) : surfaces.back[i];
     surfaces.cosine[i] = in_group ? -along * towards_ray : surfaces.cosine[i];
-    surfaces.normal.x[i] = in_group ? normal.x * towards_ray : surfaces.normal.x[i];
-    surfaces.normal.y[i] = in_group ? normal.y * towards_ray : surfaces.normal.y[i];
-    surfaces.normal.z[i] = in_group ? normal.z * towards_ray : surfaces.normal.z[i];
+    surfaces.normal.x[i] = in_group ? normal.x[i] * towards_ray : surfaces.normal.x[i];
+    surfaces.normal.y[i] = in_group ? normal.y[i] * towards_ray : surfaces.normal.y[i];
+    surfaces.normal.z[i] = in_group ? normal.z[i] * towards_ray : surfaces.normal.z[i];
   }
 }
 
@@ -110,16 +124,17 @@ void assign_group(const Placed& placed, const Lanes<const Triangle*>& triangles,
 void shade_group(const Placed& placed, const HitPacket& hits, int first,
                  const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
   const Lanes<const Triangle*> triangles = triangles_of(placed.mesh, hits, first, group);
+  Vec3fLanes facet;
+  to_rest(placed.part.rest_from_facet_normal, hits.facet_normal, facet);
   if (placed.mesh.normals.empty()) {
-    const glm::mat3& to_rest = placed.part.rest_from_facet_normal;
-    orient(to_rest, to_rest, hits.facet_normal, hits, group, surfaces);
+    orient(facet, facet, hits.sight, group, surfaces);
   } else {
     CornerNormals corners;
     gather_normals(placed.mesh, triangles, corners);
-    Vec3fLanes normal;
-    interpolate(corners, hits, normal);
-    orient(placed.part.rest_from_mesh_normal, placed.part.rest_from_facet_normal, normal, hits,
-           group, surfaces);
+    Vec3fLanes local, normal;
+    interpolate(corners, hits, local);
+    to_rest(placed.part.rest_from_mesh_normal, local, normal);
+    orient(facet, normal, hits.sight, group, surfaces);
   }
   assign_group(placed, triangles, hits, group, surfaces);
 }
@@ -129,6 +144,7 @@ void shade_group(const Placed& placed, const HitPacket& hits, int first,
 void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
                  const Lanes<std::int32_t>& active, SurfaceLanes& surfaces) {
   Lanes<std::int32_t> waiting;
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) waiting[i] = hits.frame[i] >= 0 ? active[i] : 0;
   for (int first = 0; first < packet_size; ++first) {
     if (waiting[first] == 0) continue;
