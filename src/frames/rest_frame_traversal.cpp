@@ -111,11 +111,19 @@ void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, 
 }
 
 // Linear maps commute with s: transform the origin as a point and k as a vector.
-void to_traversal(const Mat3& linear, const Vec3& offset, LocalRays& local) {
+void shift_to_traversal(const Vec3& offset, LocalRays& local) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    local.origin.set(i, linear * (local.origin.at(i) - offset));
-    local.k.set(i, linear * local.rest_k.x.at(i));
+    local.origin.set(i, local.origin.at(i) - offset);
+    local.k.set(i, local.rest_k.x.at(i));
+  }
+}
+
+void turn_to_traversal(const Mat3& linear, LocalRays& local) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    local.origin.set(i, linear * local.origin.at(i));
+    local.k.set(i, linear * local.k.at(i));
   }
 }
 
@@ -135,7 +143,8 @@ void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits)
   for (int i = 0; i < packet_size; ++i) {
     local.sight.set(i, Vec3f(sight_direction(local.rest_k.at(i))));
   }
-  to_traversal(traversal_from_rest_linear_, rest_from_traversal_offset_, local);
+  shift_to_traversal(rest_from_traversal_offset_, local);
+  if (traversal_is_turned_) turn_to_traversal(traversal_from_rest_linear_, local);
   clip_to_bounds(bounds_, rays, hits, local);
   if (!any_active(local.active)) return;
 

@@ -12,15 +12,6 @@ float beaming_factor(double doppler) {
   return static_cast<float>(squared * squared);  // bolometric radiance gains D^4
 }
 
-// Composites `color` (premultiplied) behind what the lane has gathered so far.
-void composite(RadianceLanes& radiance, int lane, const Vec3f& color, float alpha) {
-  const float behind = 1.0F - radiance.a[lane];
-  radiance.r[lane] += behind * color.x;
-  radiance.g[lane] += behind * color.y;
-  radiance.b[lane] += behind * color.z;
-  radiance.a[lane] += behind * alpha;
-}
-
 }  // namespace
 
 Preview::Preview(const Scene& scene, const FrameSet& frames)
@@ -36,9 +27,10 @@ Preview::Plain Preview::plain(const Material& m) {
   Plain result;
   result.always = !changes && !textured && m.alpha_mode == AlphaMode::opaque;
   result.double_sided = m.double_sided;
-  result.lit = m.unlit ? Vec3f(0) : m.base_color.value;
-  result.unlit = m.unlit ? m.base_color.value : Vec3f(0);
-  result.emission = m.emission.value * m.emission_strength.value;
+  const Vec4f base(m.base_color.value, 0.0F);
+  result.lit = m.unlit ? Vec4f(0) : base;
+  result.unlit = m.unlit ? base : Vec4f(0);
+  result.emission = Vec4f(m.emission.value * m.emission_strength.value, 1.0F);
   return result;
 }
 
@@ -59,7 +51,7 @@ float Preview::coverage(const Material& material, const Met& met, float texture_
   return glm::clamp(alpha, 0.0F, 1.0F);
 }
 
-Preview::Shaded Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) const {
+Vec4f Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) const {
   const SurfaceLanes& surfaces = met.surfaces;
   const Material& material =
       scene_.materials[static_cast<std::size_t>(surfaces.material[met.lane])];
@@ -68,26 +60,30 @@ Preview::Shaded Preview::shade_changing(const Met& met, TemporalEvaluator& evalu
       clock_at(places_[static_cast<std::size_t>(surfaces.object[met.lane])], met.hits, met.lane);
   const Vec4f base_texel = texel(material.base_color_texture, met);
   const float alpha = coverage(material, met, base_texel.w, clock, evaluator);
-  if (alpha <= 0.0F) return {};
+  if (alpha <= 0.0F) return Vec4f(0);
   const Vec3f base =
       evaluator(material.base_color, clock) * Vec3f(base_texel) * Vec3f(surfaces.color[met.lane]);
   const Vec3f emission = evaluator(material.emission, clock) *
                          evaluator(material.emission_strength, clock) *
                          Vec3f(texel(material.emission_texture, met));
-  return {alpha * (base * (material.unlit ? 1.0F : surfaces.cosine[met.lane]) + emission), alpha};
+  const Vec3f seen = base * (material.unlit ? 1.0F : surfaces.cosine[met.lane]) + emission;
+  return alpha * Vec4f(seen, 1.0F);
 }
 
-Preview::Shaded Preview::shade(const Met& met, TemporalEvaluator& evaluator) const {
+inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const {
   const SurfaceLanes& surfaces = met.surfaces;
   const Plain& plain = plain_[static_cast<std::size_t>(surfaces.material[met.lane])];
-  Shaded shaded;
+  Vec4f shaded(0);
   if (!plain.always) {
     shaded = shade_changing(met, evaluator);
   } else if (surfaces.back[met.lane] == 0 || plain.double_sided) {
-    const Vec3f color(surfaces.color[met.lane]);
-    shaded = {(plain.lit * surfaces.cosine[met.lane] + plain.unlit) * color + plain.emission, 1.0F};
+    shaded = (plain.lit * surfaces.cosine[met.lane] + plain.unlit) * surfaces.color[met.lane] +
+             plain.emission;
   }
-  if (scene_.render.beaming) shaded.color *= beaming_factor(doppler_at(met.hits, met.lane));
+  if (scene_.render.beaming) {
+    const float factor = beaming_factor(doppler_at(met.hits, met.lane));
+    shaded *= Vec4f(factor, factor, factor, 1.0F);
+  }
   return shaded;
 }
 
@@ -111,7 +107,7 @@ SurfaceData Preview::data_of(const Met& met) const {
 
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
                     RadianceLanes& radiance, SurfaceDataLanes* data) const {
-  radiance.fill(0.0F);
+  radiance.fill(Vec4f(0));
   if (data != nullptr) data->fill({});
   HitPacket hits;
   SurfaceLanes surfaces;
@@ -125,14 +121,14 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
       rays.active[lane] = 0;
       if (hits.frame[lane] < 0) continue;
       const Met met{rays, surfaces, hits, lane};
-      const Shaded shaded = shade(met, evaluator);
-      composite(radiance, lane, shaded.color, shaded.alpha);
+      const Vec4f shaded = shade(met, evaluator);
+      radiance[lane] += (1.0F - radiance[lane].w) * shaded;  // behind what is in front
       if (data != nullptr && !(*data)[lane].hit &&
-          random_unit(id, lane, Dimension::opacity, layer) < shaded.alpha) {
+          random_unit(id, lane, Dimension::opacity, layer) < shaded.w) {
         (*data)[lane] = data_of(met);
       }
-      if (1.0F - radiance.a[lane] < least_transmittance) {
-        radiance.a[lane] = 1.0F;
+      if (1.0F - radiance[lane].w < least_transmittance) {
+        radiance[lane].w = 1.0F;
       } else {
         rays.s_min[lane] = frames_.frame(hits.frame[lane]).s_behind(hits, lane);
         rays.active[lane] = -1;

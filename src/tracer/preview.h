@@ -20,17 +20,13 @@ class Preview {
              RadianceLanes& radiance, SurfaceDataLanes* data) const;
 
  private:
-  struct Shaded {
-    Vec3f color{0};  // premultiplied
-    float alpha = 0;
-  };
-  // What a material is in this integrator, as far as it never changes.
+  // What a material is in this integrator, as far as it never changes. Red, green, blue and coverage.
   struct Plain {
     bool always =
         false;  // the numbers below are all there is: no texture, no clock, no transparency
     bool double_sided = false;
-    Vec3f lit{0}, unlit{0};  // base colour: times the cosine, and as it is
-    Vec3f emission{0};
+    Vec4f lit{0}, unlit{0};  // base colour: times the cosine, and as it is
+    Vec4f emission{0};
   };
   static Plain plain(const Material& material);
 
@@ -41,8 +37,8 @@ class Preview {
     HitPacket& hits;
     int lane;
   };
-  Shaded shade(const Met& met, TemporalEvaluator& evaluator) const;
-  Shaded shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
+  Vec4f shade(const Met& met, TemporalEvaluator& evaluator) const;
+  Vec4f shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
   float coverage(const Material& material, const Met& met, float texture_alpha, double clock,
                  TemporalEvaluator& evaluator) const;
   Vec4f texel(const TextureUse& use, const Met& met) const;
