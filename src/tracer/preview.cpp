@@ -36,9 +36,9 @@ Preview::Plain Preview::plain(const Material& m) {
   Plain result;
   result.always = !changes && !textured && m.alpha_mode == AlphaMode::opaque;
   result.double_sided = m.double_sided;
-  result.lit = m.unlit ? Vec3f(0) : m.base_color.value;
-  result.unlit = m.emission.value * m.emission_strength.value;
-  if (m.unlit) result.unlit += m.base_color.value;
+  result.unlit = m.unlit;
+  result.base_color = m.base_color.value;
+  result.emission = m.emission.value * m.emission_strength.value;
   return result;
 }
 
@@ -81,7 +81,8 @@ Preview::Shaded Preview::shade(const Surface& surface, HitPacket& hits, int lane
     const ObjectPlace& place = places_[static_cast<std::size_t>(surface.object)];
     shaded = shade_changing(surface, clock_at(place, hits, lane), evaluator);
   } else if (!surface.back || plain.double_sided) {
-    shaded = {plain.lit * surface.cosine * Vec3f(surface.color) + plain.unlit, 1.0F};
+    const Vec3f base = plain.base_color * Vec3f(surface.color);
+    shaded = {base * (plain.unlit ? 1.0F : surface.cosine) + plain.emission, 1.0F};
   }
   if (scene_.render.beaming) shaded.color *= beaming_factor(doppler_at(hits, lane));
   return shaded;

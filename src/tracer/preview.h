@@ -28,8 +28,8 @@ class Preview {
   struct Plain {
     bool always =
         false;  // the numbers below are all there is: no texture, no clock, no transparency
-    bool double_sided = false;
-    Vec3f lit{0}, unlit{0};  // times the cosine, and as it is
+    bool double_sided = false, unlit = false;
+    Vec3f base_color{0}, emission{0};
   };
   static Plain plain(const Material& material);
 
