@@ -181,12 +181,18 @@ void RestFrame::refine(HitPacket& hits, int lane) const {
   hits.s[lane] = s_near + glm::dot(point - origin, k) / glm::dot(k, k);
 }
 
+// The origin that the next search begins with is rounded by a few ulps across the surface; along a
+// ray that grazes it that is further.
 double RestFrame::s_behind(const HitPacket& hits, int lane) const {
   constexpr double float_noise = 8.0 * 0x1p-24;
+  constexpr double least_cosine = 1e-3;
   const Vec3 k = hits.k.at(lane);
   const Vec3 point = hits.origin.at(lane) + hits.s[lane] * k;
   const double size = glm::length(point) + glm::length(bounds_.center());
-  return hits.s[lane] + float_noise * size / glm::length(k);
+  const Vec3 ray = glm::normalize(rest_direction(k));
+  const Vec3 facet(parts_[hits.part[lane]].rest_from_facet_normal * hits.facet_normal.at(lane));
+  const double cosine = std::abs(glm::dot(ray, facet)) / glm::length(facet);
+  return hits.s[lane] + float_noise * size / (glm::length(k) * std::max(least_cosine, cosine));
 }
 
 }  // namespace restframe
