@@ -173,9 +173,15 @@ std::string exr_text(const std::filesystem::path& path, const std::string& name)
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};
   try {
-    const Imf::InputFile file(path.c_str());
+    Imf::InputFile file(path.c_str());
     const auto* text = file.header().findTypedAttribute<Imf::StringAttribute>(name);
-    return text != nullptr && file.isComplete() ? text->value() : std::string();
+    if (text == nullptr || !file.isComplete()) return {};
+    // OpenEXR calls a file complete that knows where all its pixels should be; the last ones must
+    // be there, too.
+    const char* pixels = nullptr;
+    int size = 0;
+    file.rawPixelData(file.header().dataWindow().max.y, pixels, size);
+    return text->value();
   } catch (const std::exception&) {
     return {};  // torn or of another kind: to the caller as good as not there
   }

@@ -51,6 +51,8 @@ void EmbreeDevice::check() const {
 EmbreeScene new_scene(const EmbreeDevice& device) {
   EmbreeScene scene(rtcNewScene(device.get()));
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
+  // Else rays slip through between triangles that share an edge.
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   return scene;
 }
 

@@ -76,6 +76,18 @@ void narrow(const LocalRays& local, RTCRayHit16& query) {
   }
 }
 
+// Whether all active rays point into one octant. Embree's traversal of coherent packets loses rays,
+// a dozen pixels at a time, where directions of both signs meet.
+bool share_an_octant(const LocalRays& local) {
+  unsigned signs = 0;  // a bit for each sign of each axis
+  for (int i = 0; i < packet_size; ++i) {
+    const unsigned of_lane = (local.k.x[i] < 0.0 ? 1U : 2U) | (local.k.y[i] < 0.0 ? 4U : 8U) |
+                             (local.k.z[i] < 0.0 ? 16U : 32U);
+    signs |= local.active[i] != 0 ? of_lane : 0U;
+  }
+  return (signs & (signs >> 1) & 0b010101U) == 0U;
+}
+
 template <class T>
 void replace(bool condition, T& value, const T& by) {
   value = condition ? by : value;
@@ -152,7 +164,8 @@ void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits)
   narrow(local, query);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                         : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect16(&local.active[0], traversed_, &context, &query);
   keep_hits(local, query, own_index, hits);
 }
@@ -190,12 +203,17 @@ void RestFrame::refine(HitPacket& hits, int lane) const {
   hits.s[lane] = s_near + glm::dot(point - origin, k) / glm::dot(k, k);
 }
 
+// The origin that the next search begins with is rounded by a few ulps across the surface; along a
+// ray that grazes it that is further.
 double RestFrame::s_behind(const HitPacket& hits, int lane) const {
   constexpr double float_noise = 8.0 * 0x1p-24;
+  constexpr double least_cosine = 1e-3;
   const Vec3 k = hits.k.at(lane);
   const Vec3 point = hits.origin.at(lane) + hits.s[lane] * k;
   const double size = glm::length(point) + glm::length(bounds_.center());
-  return hits.s[lane] + float_noise * size / glm::length(k);
+  const Vec3 facet(parts_[hits.part[lane]].rest_from_facet_normal * hits.facet_normal.at(lane));
+  const double cosine = std::abs(glm::dot(Vec3(hits.sight.at(lane)), facet)) / glm::length(facet);
+  return hits.s[lane] + float_noise * size / (glm::length(k) * std::max(least_cosine, cosine));
 }
 
 }  // namespace restframe

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/render_picture.h"
+#include "frames/frame_set.h"
+#include "scene/parallel.h"
+
+namespace restframe {
+
+// The first picture of a scene that need not come from a file.
+inline Picture first_picture(const Scene& scene) {
+  const FrameSet frames(scene, thread_count());
+  const Preview integrator(scene, frames);
+  EvaluatorPool evaluators(scene.functions);
+  return render_picture({scene, integrator, evaluators, {}}, 0);
+}
+
+// The values of a channel, by its name in the EXR; times in full. Throws std::out_of_range.
+inline std::vector<double> channel_of(const Picture& picture, const std::string& name) {
+  for (const ChannelPixels& pixels : picture.channels()) {
+    if (pixels.channel.exr_name != name) continue;
+    if (!pixels.times.empty()) return pixels.times;
+    return {pixels.values.begin(), pixels.values.end()};
+  }
+  throw std::out_of_range("no channel " + name);
+}
+
+}  // namespace restframe
