@@ -8,6 +8,7 @@
 #include "app/version.h"
 #include "scene/canonical.h"
 #include "scene/error.h"
+#include "scene/output_pattern.h"
 
 namespace restframe {
 namespace {
@@ -59,19 +60,14 @@ ExistingPicture compare_with(const std::filesystem::path& path, const std::strin
 }  // namespace
 
 std::filesystem::path picture_path(const std::string& pattern, int number, bool single) {
-  if (!pattern.ends_with(".exr")) {
-    throw InputError(fmt::format("output \"{}\": pictures are EXR; let it end in .exr", pattern));
+  if (const auto fault = output_pattern_fault(pattern, single ? 1 : 2)) {
+    throw InputError("output: " + *fault);
   }
-  const std::size_t last = pattern.find_last_of('#');
-  if (last == std::string::npos) {
-    if (single) return pattern;
-    throw InputError(
-        fmt::format("output \"{}\": several pictures need a #### for their number", pattern));
-  }
-  const std::size_t before = pattern.find_last_not_of('#', last);
-  const std::size_t first = before == std::string::npos ? 0 : before + 1;
-  return pattern.substr(0, first) + fmt::format("{:0{}}", number, last - first + 1) +
-         pattern.substr(last + 1);
+  const std::size_t first = pattern.find('#');
+  if (first == std::string::npos) return pattern;
+  const std::size_t after = std::min(pattern.find_first_not_of('#', first), pattern.size());
+  return pattern.substr(0, first) + fmt::format("{:0{}}", number, after - first) +
+         pattern.substr(after);
 }
 
 std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool overwrite) {

@@ -9,8 +9,8 @@
 
 namespace restframe {
 
-// "out/name.####.exr" and 7 give "out/name.0007.exr". Throws InputError where the pattern has no #
-// and is not for a single picture, or does not end in .exr.
+// "out/name.####.exr" and 7 give "out/name.0007.exr". Throws InputError where the pattern does not serve
+// (see output_pattern_fault).
 std::filesystem::path picture_path(const std::string& pattern, int number, bool single);
 
 // Of the pictures [first, last], those that are still to be made: missing or torn ones. A complete

@@ -33,15 +33,27 @@ PictureRange range_of(const RenderOptions& options, const AnimationSettings& ani
   return *options.pictures;
 }
 
-Scene loaded_scene(const RenderOptions& options, const ImportLimits& limits) {
+struct Job {
+  Scene scene;
+  PictureRange range;
+  bool single() const { return range.first == range.last; }
+};
+
+Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
   Warnings warnings;
   Scene scene = load_scene(options.scene, limits, warnings);
   for (const std::string& warning : warnings) report_warning(warning);
   apply(options, scene);
-  const std::vector<std::string> faults = validate(scene);
+  const PictureRange range = range_of(options, scene.animation);
+  Job job{std::move(scene), range};
+  // A single picture needs no number in its name.
+  if (job.single()) job.scene.animation.pictures = 1;
+  const std::vector<std::string> faults = validate(job.scene);
   if (!faults.empty()) throw InputError(options.scene + ": " + faults.front());
-  if (!scene.camera_given) scene.camera = framing_camera(scene, scene.animation.start);
-  return scene;
+  if (!job.scene.camera_given) {
+    job.scene.camera = framing_camera(job.scene, job.scene.animation.start);
+  }
+  return job;
 }
 
 void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool single, bool quiet,
@@ -80,13 +92,12 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
 
 int render(const RenderOptions& options, const ImportLimits& limits) {
   set_thread_count(options.threads);
-  const Scene scene = loaded_scene(options, limits);
-  const PictureRange range = range_of(options, scene.animation);
-  const bool single = range.first == range.last;
+  const Job job = loaded_job(options, limits);
+  const auto& [scene, range] = job;
   const std::vector<int> numbers =
       pictures_to_make(scene, range.first, range.last, options.overwrite);
   if (!numbers.empty()) {
-    render_pictures(scene, numbers, single, options.quiet, thread_count());
+    render_pictures(scene, numbers, job.single(), options.quiet, thread_count());
   }
   if (!options.quiet) {
     const int count = range.last - range.first + 1;
