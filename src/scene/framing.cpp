@@ -1,148 +1,173 @@
 #include "scene/framing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-
-#include "physics/doppler.h"
+#include <limits>
 
 namespace restframe {
 namespace {
 
-// A ball around an object's parts, at rest in the object's rest frame.
-struct BoundingBall {
-  Worldline worldline;
-  Vec3 center{0};
-  double radius = 0;
-};
-
 constexpr double default_fov = glm::pi<double>() / 4.0;
-constexpr double widest_fov = 2.6;  // radians
-constexpr double margin = 1.08;     // some air around what is framed
+constexpr double widest_fov = 2.6;       // radians
+constexpr double margin = 1.08;          // some air around what is framed
+constexpr std::size_t most_boxes = 500;  // of an object; more parts are taken together
 const Vec3 view_from(0.35, 0.25, 1.0);
 
-std::vector<BoundingBall> bounding_balls(const Scene& scene) {
-  std::vector<Bounds> of_mesh;
-  for (const Mesh& mesh : scene.meshes) of_mesh.push_back(bounds_of(mesh));
-  std::vector<BoundingBall> balls;
-  for (const Object& object : scene.objects) {
-    Bounds all;
-    for (const PlacedMesh& part : object.parts) {
-      const Bounds& b = of_mesh[static_cast<std::size_t>(part.mesh)];
-      for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p((corner & 1) != 0 ? b.upper.x : b.lower.x,
-                     (corner & 2) != 0 ? b.upper.y : b.lower.y,
-                     (corner & 4) != 0 ? b.upper.z : b.lower.z);
-        all.add(Vec3(part.object_from_mesh * glm::dvec4(p, 1.0)));
-      }
-    }
-    if (!all.empty())
-      balls.push_back({object.worldline, all.center(), 0.5 * glm::length(all.extent())});
-  }
-  return balls;
-}
-
-// The circle on the sky as which a ball is seen (closed form: a sphere's outline is a circle).
-struct SkyCircle {
-  Vec3 axis{0, 0, -1};  // unit, world frame
-  double half_angle = 0;
-  bool around_observer = false;
+// Points at rest in an object's rest frame, around its origin, that show where it reaches.
+struct Outline {
+  Worldline worldline;
+  std::vector<Vec3> points;
 };
 
-SkyCircle seen_circle(const BoundingBall& ball, const Event<in::World>& observer) {
-  const AnchoredFrame<in::Rest> rest = ball.worldline.rest_frame();
-  const Vec3 to_ball = ball.center - rest(observer).x;
-  const double distance = glm::length(to_ball);
-  if (distance <= ball.radius * 1.0001) return {{0, 0, -1}, 0, true};
-  // In the rest frame n.a = cos(alpha) around a; with S = (-cos alpha, a) the outline is n.s = -S0
-  // in any frame.
-  const double sine = ball.radius / distance;
-  const Displacement<in::Rest> cone{-std::sqrt(1.0 - sine * sine), to_ball / distance};
-  const Displacement<in::World> seen = rest.from_world.inverse()(cone);
-  const double length = glm::length(seen.x);
-  return {seen.x / length, std::acos(glm::clamp(-seen.t / length, -1.0, 1.0)), false};
+void add_corners(const Bounds& bounds, const Mat4& to, std::vector<Vec3>& points) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p((corner & 1) != 0 ? bounds.upper.x : bounds.lower.x,
+                 (corner & 2) != 0 ? bounds.upper.y : bounds.lower.y,
+                 (corner & 4) != 0 ? bounds.upper.z : bounds.lower.z);
+    points.emplace_back(to * glm::dvec4(p, 1.0));
+  }
 }
 
-// Half the view, along the film's shorter side, that shows all circles when aimed at `forward`.
-double needed_half_angle(const std::vector<SkyCircle>& circles, const Vec3& forward) {
-  double needed = 0;
-  for (const SkyCircle& circle : circles) {
-    if (circle.around_observer) return glm::pi<double>();
-    const double off_axis = std::acos(glm::clamp(glm::dot(circle.axis, forward), -1.0, 1.0));
-    needed = std::max(needed, off_axis + circle.half_angle);
+Bounds bounds_of_points(const std::vector<Vec3>& points) {
+  Bounds all;
+  for (const Vec3& p : points) all.add(p);
+  return all;
+}
+
+std::vector<Outline> outlines(const Scene& scene) {
+  std::vector<Bounds> of_mesh;
+  for (const Mesh& mesh : scene.meshes) of_mesh.push_back(bounds_of(mesh));
+  std::vector<Outline> result;
+  for (const Object& object : scene.objects) {
+    Outline outline{object.worldline, {}};
+    for (const PlacedMesh& part : object.parts) {
+      const Bounds& bounds = of_mesh[static_cast<std::size_t>(part.mesh)];
+      if (!bounds.empty()) add_corners(bounds, part.object_from_mesh, outline.points);
+    }
+    if (outline.points.empty()) continue;
+    if (object.parts.size() > most_boxes) {
+      const Bounds all = bounds_of_points(outline.points);
+      outline.points.clear();
+      add_corners(all, Mat4(1), outline.points);
+    }
+    result.push_back(std::move(outline));
   }
-  return needed;
+  return result;
+}
+
+// Unit directions, in the world, in which an observer at rest there sees the points.
+std::vector<Vec3> seen_directions(const std::vector<Outline>& outlines,
+                                  const Event<in::World>& observer) {
+  std::vector<Vec3> directions;
+  for (const Outline& outline : outlines) {
+    const AnchoredFrame<in::Rest> rest = outline.worldline.rest_frame();
+    for (const Vec3& point : outline.points) {
+      const Event<in::World> seen = rest.to_world(seen_event(rest, observer, point));
+      const Vec3 to_point = seen.x - observer.x;
+      const double distance = glm::length(to_point);
+      if (distance > 0.0) directions.push_back(to_point / distance);
+    }
+  }
+  return directions;
 }
 
 struct View {
+  Vec3 position{0};
+  double time = 0;
   Vec3 forward{0, 0, -1};
-  double half_angle = 0;
+  double reach = std::numeric_limits<double>::infinity();  // over half the film: 1 just fits
 };
 
-// Aims between the circles: a few steps towards whichever reaches out farthest.
-View best_view(const std::vector<BoundingBall>& balls, const Event<in::World>& observer) {
-  std::vector<SkyCircle> circles;
-  Vec3 forward(0);
-  for (const BoundingBall& ball : balls) {
-    circles.push_back(seen_circle(ball, observer));
-    forward += circles.back().axis;
-  }
-  forward = glm::length(forward) > 1e-6 ? glm::normalize(forward) : circles[0].axis;
-  View best{forward, needed_half_angle(circles, forward)};
-  for (int step = 1; step <= 200; ++step) {
-    const SkyCircle* farthest = &circles[0];
-    for (const SkyCircle& circle : circles) {
-      const auto reach = [&](const SkyCircle& c) {
-        return std::acos(glm::clamp(glm::dot(c.axis, forward), -1.0, 1.0)) + c.half_angle;
-      };
-      if (reach(circle) > reach(*farthest)) farthest = &circle;
+Vec3 up_for(const Vec3& forward) {
+  return std::abs(forward.y) > 0.999 ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
+}
+
+// The rectangle on the film (at distance 1) that holds all directions; empty if one is behind.
+struct FilmBox {
+  double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
+  bool behind = false;
+};
+
+FilmBox film_box(const std::vector<Vec3>& directions, const Vec3& forward) {
+  const Vec3 right = glm::normalize(glm::cross(forward, up_for(forward)));
+  const Vec3 up = glm::cross(right, forward);
+  FilmBox box;
+  for (const Vec3& direction : directions) {
+    const double depth = glm::dot(direction, forward);
+    if (depth < 0.05) {
+      box.behind = true;
+      return box;
     }
-    forward = glm::normalize(forward + (farthest->axis - forward) / (step + 1.0));
-    const double needed = needed_half_angle(circles, forward);
-    if (needed < best.half_angle) best = {forward, needed};
+    const double x = glm::dot(direction, right) / depth;
+    const double y = glm::dot(direction, up) / depth;
+    box.left = std::min(box.left, x);
+    box.right = std::max(box.right, x);
+    box.bottom = std::min(box.bottom, y);
+    box.top = std::max(box.top, y);
+  }
+  return box;
+}
+
+// Aims at the middle of what is seen; a few steps, since turning the film changes its rectangle.
+void aim(const std::vector<Vec3>& directions, double half_width, double half_height, View& view) {
+  for (int step = 0; step < 8; ++step) {
+    const FilmBox box = film_box(directions, view.forward);
+    if (box.behind) return;
+    const double x = 0.5 * (box.left + box.right);
+    const double y = 0.5 * (box.bottom + box.top);
+    const Vec3 right = glm::normalize(glm::cross(view.forward, up_for(view.forward)));
+    const Vec3 up = glm::cross(right, view.forward);
+    view.forward = glm::normalize(view.forward + x * right + y * up);
+  }
+  const FilmBox box = film_box(directions, view.forward);
+  if (box.behind) return;
+  const double width = std::max(std::abs(box.left), std::abs(box.right));
+  const double height = std::max(std::abs(box.bottom), std::abs(box.top));
+  view.reach = std::max(width / half_width, height / half_height);
+}
+
+// From as near as everything fits, or the best there is.
+View best_view(const std::vector<Outline>& outlines, double start, double half_width,
+               double half_height) {
+  Bounds all;
+  double latest = -std::numeric_limits<double>::infinity();
+  for (const Outline& outline : outlines) {
+    for (const Vec3& point : outline.points) all.add(outline.worldline.reference.x + point);
+    latest = std::max(latest, outline.worldline.reference.t);
+  }
+  const double size = std::max(glm::length(all.extent()), 1e-12);
+  View best;
+  for (double distance = 0.05 * size; distance < 100.0 * size; distance *= 1.03) {
+    View view;
+    view.position = all.center() + distance * glm::normalize(view_from);
+    // Light of the reference events is arriving: things are seen about where the scene puts them.
+    view.time = latest + distance;
+    view.forward = -glm::normalize(view_from);
+    aim(seen_directions(outlines, {view.time + start, view.position}), half_width, half_height,
+        view);
+    if (view.reach < best.reach) best = view;
+    if (best.reach * margin <= 1.0) break;
   }
   return best;
-}
-
-// Half the angle between opposite sides of the film's shorter side.
-double half_view(const Scene& scene, double vertical_fov) {
-  const double half_height = std::tan(0.5 * vertical_fov);
-  return std::atan(half_height * std::min(1.0, double(scene.render.width) / scene.render.height));
-}
-
-Camera camera_at(const Vec3& position, const View& view, double fov) {
-  Camera camera;
-  camera.worldline.reference.x = position;
-  camera.aim = AimDirection{view.forward};
-  if (std::abs(view.forward.y) > 0.999) camera.up = {0, 0, -1};
-  camera.vertical_fov = fov;
-  return camera;
 }
 
 }  // namespace
 
 Camera framing_camera(const Scene& scene, double proper_time) {
-  const std::vector<BoundingBall> balls = bounding_balls(scene);
-  if (balls.empty()) return {};
-  Bounds all;  // where things are in the world at the reference time, without light's delay
-  for (const BoundingBall& ball : balls) {
-    const Vec3 center = ball.worldline.reference.x + ball.center;
-    all.add(center - Vec3(ball.radius));
-    all.add(center + Vec3(ball.radius));
-  }
-  const double size = std::max(glm::length(all.extent()), 1e-12);
-  const double wanted = half_view(scene, default_fov) / margin;
-  const double start_time = balls[0].worldline.reference.t;
-  Vec3 position(0);
-  View view;
-  for (double distance = 0.05 * size; distance < 1e7 * size; distance *= 1.05) {
-    position = all.center() + distance * glm::normalize(view_from);
-    view = best_view(balls, {start_time + proper_time, position});
-    if (view.half_angle <= wanted) break;
-  }
-  double fov = default_fov;
-  while (half_view(scene, fov) < view.half_angle * margin && fov < widest_fov) fov *= 1.02;
-  Camera camera = camera_at(position, view, fov);
-  camera.worldline.reference.t = start_time;
+  const std::vector<Outline> all = outlines(scene);
+  if (all.empty()) return {};
+  const double aspect = static_cast<double>(scene.render.width) / scene.render.height;
+  const double half_height = std::tan(0.5 * default_fov);
+  const View view = best_view(all, proper_time, half_height * aspect, half_height);
+  Camera camera;
+  camera.worldline.reference = {view.time, view.position};
+  camera.aim = AimDirection{view.forward};
+  camera.up = up_for(view.forward);
+  const double widening = std::max(1.0, view.reach * margin);
+  camera.vertical_fov = std::isfinite(widening)
+                            ? std::min(2.0 * std::atan(half_height * widening), widest_fov)
+                            : widest_fov;
   return camera;
 }
 
