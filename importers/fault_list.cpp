@@ -19,12 +19,15 @@ std::string on_one_line(std::string text) {
 }  // namespace
 
 void FaultList::add(TextPosition at, const std::string& what) {
+  if (is_full()) return;
   faults_.push_back(
       {at, on_one_line(fmt::format("{}:{}:{}: {}", file_, at.line, at.column, what))});
 }
 
 void FaultList::add(TextPosition at, const InputError& error) {
-  for (const std::string& fault : error.faults()) faults_.push_back({at, on_one_line(fault)});
+  for (const std::string& fault : error.faults()) {
+    if (!is_full()) faults_.push_back({at, on_one_line(fault)});
+  }
 }
 
 void FaultList::throw_any() const {

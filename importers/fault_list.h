@@ -8,7 +8,8 @@
 
 namespace restframe {
 
-// Collects the faults of one file, so that a user sees all at once.
+// Collects the faults of one file, so that a user sees all at once: the first thousand, since a
+// file of megabytes may have nothing else.
 class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}
@@ -28,6 +29,8 @@ class FaultList {
     TextPosition at;
     std::string line;
   };
+  bool is_full() const { return faults_.size() >= 1000; }
+
   std::string file_;
   std::vector<Fault> faults_;
 };

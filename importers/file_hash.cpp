@@ -1,6 +1,7 @@
 #include "importers/file_hash.h"
 
 #include <fmt/format.h>
+#define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include <fstream>

@@ -51,6 +51,9 @@ std::vector<Image> read_images(const GltfContext& context, const tinygltf::Model
                                const std::vector<UsedImage>& used) {
   std::vector<Image> images;
   std::size_t bytes_left = context.limits.total_bytes;
+  if (used.size() < sources.size()) {
+    context.warn("/images", std::to_string(sources.size() - used.size()) + " images are not used");
+  }
   for (const UsedImage& each : used) {
     const ImageSource& source = sources[static_cast<std::size_t>(each.image)];
     try {

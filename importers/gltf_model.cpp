@@ -44,10 +44,27 @@ Json reduced(Json&& document, const std::vector<Bytes>& buffers) {
   return kept;
 }
 
+// Accessors without a bufferView are zeros, but tinygltf refuses them as indices. So they get some
+// view, and lose it again in the model. Returns their indices.
+std::vector<std::size_t> lend_views(Json& document) {
+  std::vector<std::size_t> borrowers;
+  if (!document.contains("accessors")) return borrowers;
+  Json& accessors = document["accessors"];
+  for (std::size_t i = 0; i < accessors.size(); ++i) {
+    if (accessors[i].contains("bufferView")) continue;
+    accessors[i]["bufferView"] = 0;
+    borrowers.push_back(i);
+  }
+  Json& views = document["bufferViews"];
+  if (!borrowers.empty() && views.empty()) views.push_back({{"buffer", 0}, {"byteLength", 1}});
+  return borrowers;
+}
+
 }  // namespace
 
 tinygltf::Model parse_model(const GltfContext& context, Json document, std::vector<Bytes> buffers) {
-  std::string text = reduced(std::move(document), buffers).dump();
+  const std::vector<std::size_t> without_view = lend_views(document);
+  const std::string text = reduced(std::move(document), buffers).dump();
   document = nullptr;
   tinygltf::TinyGLTF parser;
   parser.SetFsCallbacks({buffer_exists, same_name, hand_over_buffer, nullptr, &buffers});
@@ -59,6 +76,7 @@ tinygltf::Model parse_model(const GltfContext& context, Json document, std::vect
     std::replace(errors.begin(), errors.end(), '\n', ' ');
     context.fault("", "tinygltf can not read it: " + in_quotes(errors));
   }
+  for (const std::size_t accessor : without_view) model.accessors[accessor].bufferView = -1;
   return model;
 }
 

@@ -32,6 +32,9 @@ struct Candidate {
   Origin origin;
 };
 
+// More changes of materials than any scene needs, and no more than memory bears.
+constexpr std::size_t most_applications = 20'000'000;
+
 class Assignment {
  public:
   Assignment(const std::vector<MaterialChange>& changes, SceneFile& file)
@@ -41,8 +44,11 @@ class Assignment {
 
  private:
   void collect_slots();
+  void collect_references();
+  void add_candidate(Candidate candidate);
+  std::vector<std::size_t> targets(const MaterialChange& change, int object) const;
   void apply_change(int index);
-  bool is_referred_to(const MaterialChange& change, int object) const;
+  bool is_referred_to(const std::string& name, int object) const;
   void define(const MaterialChange& change, int object, int index);
   void report_no_match(const MaterialChange& change);
   const Origin* find(int object, const std::string& name) const;
@@ -54,40 +60,66 @@ class Assignment {
 
   const std::vector<MaterialChange>& changes_;
   SceneFile& file_;
-  std::vector<Candidate> candidates_;               // slots object by object, then new ones
-  std::vector<std::size_t> first_slot_;             // of each object, in candidates_
-  std::map<std::string, std::size_t> first_named_;  // of the slots
-  std::size_t slot_count_ = 0;
+  std::vector<Candidate> candidates_;    // slots object by object, then new ones
+  std::vector<std::size_t> first_slot_;  // of each object, in candidates_
+  std::map<std::string, std::vector<std::size_t>> by_name_;
+  std::set<std::pair<int, std::string>> references_;  // by object, and by every_object
+  std::size_t applications_ = 0;
   std::map<Origin, int> scene_materials_;
   std::set<int> seen_changes_;
 };
+
+void Assignment::add_candidate(Candidate candidate) {
+  by_name_[candidate.origin.name].push_back(candidates_.size());
+  candidates_.push_back(std::move(candidate));
+}
 
 void Assignment::collect_slots() {
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
     first_slot_.push_back(candidates_.size());
     const int asset = file_.object_materials[i].asset;
-    if (asset < 0) continue;
     const auto& materials = file_.assets[static_cast<std::size_t>(asset)].materials;
     for (std::size_t slot = 0; slot < materials.size(); ++slot) {
-      first_named_.emplace(materials[slot].name, candidates_.size());
-      candidates_.push_back(
+      add_candidate(
           {static_cast<int>(i), {asset, static_cast<int>(slot), materials[slot].name, {}}});
     }
   }
-  slot_count_ = candidates_.size();
-  first_slot_.push_back(slot_count_);
+  first_slot_.push_back(candidates_.size());
 }
 
-bool Assignment::is_referred_to(const MaterialChange& change, int object) const {
+void Assignment::collect_references() {
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
-    if (object != every_object && object != static_cast<int>(i)) continue;
     const ObjectMaterials& materials = file_.object_materials[i];
-    if (materials.all_slots && materials.all_slots->name == change.name) return true;
-    for (const auto& [slot, reference] : materials.slots) {
-      if (reference.name == change.name) return true;
-    }
+    const auto add = [&](const MaterialReference& reference) {
+      references_.insert({static_cast<int>(i), reference.name});
+      references_.insert({every_object, reference.name});
+    };
+    if (materials.all_slots) add(*materials.all_slots);
+    for (const auto& [slot, reference] : materials.slots) add(reference);
   }
-  return false;
+}
+
+bool Assignment::is_referred_to(const std::string& name, int object) const {
+  return references_.count({object, name}) > 0;
+}
+
+// The candidates that the change means: all of that name, or the object's only.
+std::vector<std::size_t> Assignment::targets(const MaterialChange& change, int object) const {
+  std::vector<std::size_t> found;
+  const auto add_fitting = [&](const std::vector<std::size_t>& named) {
+    for (const std::size_t i : named) {
+      if (object == every_object || candidates_[i].object == object) found.push_back(i);
+    }
+  };
+  if (change.name.find('*') == std::string::npos) {
+    const auto named = by_name_.find(change.name);
+    if (named != by_name_.end()) add_fitting(named->second);
+    return found;
+  }
+  for (const auto& [name, named] : by_name_) {
+    if (matches(change.name, name)) add_fitting(named);
+  }
+  return found;
 }
 
 // A new material for one object begins as what the name meant there so far.
@@ -95,75 +127,67 @@ void Assignment::define(const MaterialChange& change, int object, int index) {
   const Origin* before = object == every_object ? nullptr : find(object, change.name);
   Candidate defined{object, before ? *before : Origin{-1, -1, change.name, {}}};
   defined.origin.changes.push_back(index);
-  candidates_.push_back(std::move(defined));
+  add_candidate(std::move(defined));
 }
 
 std::vector<std::string> Assignment::known_names() const {
-  std::set<std::string> names;
-  for (const Candidate& candidate : candidates_) names.insert(candidate.origin.name);
-  for (const ObjectMaterials& materials : file_.object_materials) {
-    if (materials.all_slots) names.insert(materials.all_slots->name);
-    for (const auto& [slot, reference] : materials.slots) names.insert(reference.name);
-  }
-  return {names.begin(), names.end()};
+  std::vector<std::string> names;
+  for (const auto& [name, named] : by_name_) names.push_back(name);
+  return names;
 }
 
 void Assignment::report_no_match(const MaterialChange& change) {
   const std::string where =
       change.object ? fmt::format("object \"{}\"", change.object->name) : "the scene";
+  std::vector<std::string> names = known_names();
+  for (const auto& [object, name] : references_) {
+    if (object == every_object) names.push_back(name);
+  }
   file_.faults.add(change.at,
                    fmt::format("material \"{}\": {} neither has such a material nor refers to it, "
                                "the nearest is \"{}\"",
-                               change.name, where, nearest(change.name, known_names())));
+                               change.name, where, nearest(change.name, names)));
 }
 
 void Assignment::apply_change(int index) {
   const MaterialChange& change = changes_[static_cast<std::size_t>(index)];
-  int object = every_object;
-  for (std::size_t i = 0; change.object && i < file_.scene.objects.size(); ++i) {
-    if (file_.scene.objects[i].name == change.object->name) object = static_cast<int>(i);
-  }
-  bool matched = false;
-  for (Candidate& candidate : candidates_) {
-    if (object != every_object && candidate.object != object) continue;
-    if (!matches(change.name, candidate.origin.name)) continue;
-    candidate.origin.changes.push_back(index);
-    matched = true;
-  }
-  if (matched) return;
-  if (is_referred_to(change, object)) {
+  const int object = change.object ? file_.object_of_name.at(change.object->name) : every_object;
+  const std::vector<std::size_t> found = targets(change, object);
+  for (const std::size_t i : found) candidates_[i].origin.changes.push_back(index);
+  applications_ += found.size();
+  if (!found.empty()) return;
+  if (is_referred_to(change.name, object)) {
     define(change, object, index);
   } else {
     report_no_match(change);
   }
 }
 
+// The object's own slot before new materials for it alone, before those for all, before others'
+// slots.
 const Origin* Assignment::find(int object, const std::string& name) const {
-  const auto first = first_slot_[static_cast<std::size_t>(object)];
-  const auto last = first_slot_[static_cast<std::size_t>(object) + 1];
-  for (std::size_t i = first; i < last; ++i) {
-    if (candidates_[i].origin.name == name) return &candidates_[i].origin;
-  }
+  const auto named = by_name_.find(name);
+  if (named == by_name_.end()) return nullptr;
+  const std::vector<std::size_t>& indices = named->second;
+  const auto own = std::lower_bound(indices.begin(), indices.end(),
+                                    first_slot_[static_cast<std::size_t>(object)]);
+  if (own != indices.end() && candidates_[*own].object == object) return &candidates_[*own].origin;
   const Origin* for_all = nullptr;
-  for (std::size_t i = slot_count_; i < candidates_.size(); ++i) {
-    if (candidates_[i].origin.name != name) continue;
-    if (candidates_[i].object == object) return &candidates_[i].origin;
-    if (candidates_[i].object == every_object) for_all = &candidates_[i].origin;
+  for (auto i = std::lower_bound(own, indices.end(), first_slot_.back()); i != indices.end(); ++i) {
+    if (candidates_[*i].object == object) return &candidates_[*i].origin;
+    if (candidates_[*i].object == every_object) for_all = &candidates_[*i].origin;
   }
   if (for_all) return for_all;
-  const auto other = first_named_.find(name);
-  return other == first_named_.end() ? nullptr : &candidates_[other->second].origin;
+  return indices.front() < first_slot_.back() ? &candidates_[indices.front()].origin : nullptr;
 }
 
 const Origin* Assignment::find_or_report(int object, const MaterialReference& reference) {
   const Origin* found = find(object, reference.name);
   if (found) return found;
-  std::vector<std::string> names;
-  for (const Candidate& candidate : candidates_) names.push_back(candidate.origin.name);
   file_.faults.add(reference.at,
                    fmt::format("object \"{}\": there is no material \"{}\", the nearest is \"{}\"",
                                file_.scene.objects[static_cast<std::size_t>(object)].name,
-                               reference.name, nearest(reference.name, names)));
+                               reference.name, nearest(reference.name, known_names())));
   return nullptr;
 }
 
@@ -214,7 +238,13 @@ void Assignment::warn_of_unseen_changes() {
 
 void Assignment::run() {
   collect_slots();
-  for (std::size_t i = 0; i < changes_.size(); ++i) apply_change(static_cast<int>(i));
+  collect_references();
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    apply_change(static_cast<int>(i));
+    if (applications_ <= most_applications) continue;
+    file_.faults.add(changes_[i].at, "the patterns of [[material]] change too many materials");
+    return;
+  }
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) assign(static_cast<int>(i));
   if (file_.faults.empty()) warn_of_unseen_changes();
 }

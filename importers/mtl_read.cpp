@@ -52,6 +52,8 @@ class MtlRewriter {
   }
 
   void start_material(std::string_view rest) {
+    constexpr std::size_t most = 100'000;
+    if (materials.size() >= most) file_.fail(rest, fmt::format("more than {} materials", most));
     materials.push_back({std::string(trimmed(rest)), {}, {}, file_.path()});
     text_ += fmt::format("newmtl {}\n", materials.size());
   }

@@ -13,6 +13,7 @@ namespace restframe {
 namespace {
 
 constexpr double greatest_number = 1e15;
+constexpr std::size_t most_libraries = 1000;
 constexpr std::size_t most_keywords = 16;  // unused ones that get a warning each
 
 // "v" lines (x y z), with w, with r g b, with r g b a.
@@ -22,6 +23,17 @@ bool fits_vertex(std::size_t numbers) {
 
 std::string_view until(std::string_view line, std::string_view word) {
   return line.substr(0, static_cast<std::size_t>(word.data() - line.data()));
+}
+
+// Blanks slashes that no index follows: tinyobjloader would take the next corner's.
+std::string without_open_ends(std::string_view line) {
+  std::string result(line);
+  bool open = true;
+  for (auto c = result.rbegin(); c != result.rend(); ++c) {
+    if (*c == '/' && open) *c = ' ';
+    open = *c == ' ' || *c == '\t';
+  }
+  return result;
 }
 
 const char* why_unused(std::string_view keyword) {
@@ -40,6 +52,7 @@ bool ObjChecker::next_line(std::string_view& line) {
 }
 
 bool ObjChecker::check(std::string_view& line) {
+  const std::string_view whole = line;
   std::string_view rest = line;
   const std::string_view keyword = take_word(rest);
   if (keyword.empty() || keyword[0] == '#') return false;
@@ -60,7 +73,7 @@ bool ObjChecker::check(std::string_view& line) {
     note_unused(keyword);
     return false;
   }
-  check_size(line);
+  check_size(whole);
   return true;
 }
 
@@ -113,12 +126,14 @@ void ObjChecker::check_vector(std::string_view& line, std::string_view rest, Ele
 
 void ObjChecker::check_face(std::string_view& line, std::string_view rest) {
   std::uint64_t corners = 0;
+  bool open_end = false;  // "1/" or "1//"
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     if (word[0] == '#') {
       line = until(line, word);
       break;
     }
     check_corner(word);
+    open_end = open_end || word.back() == '/';
     ++corners;
   }
   if (corners < 3)
@@ -128,6 +143,7 @@ void ObjChecker::check_face(std::string_view& line, std::string_view rest) {
   if (triangles_ > limits_.triangles) {
     file_.fail(line, fmt::format("more than {} triangles, the limit", limits_.triangles));
   }
+  if (open_end) line = mended_ = without_open_ends(line);
 }
 
 // v, v/vt, v//vn or v/vt/vn; empty ones at the end are taken as absent.
@@ -170,6 +186,10 @@ void ObjChecker::check_index(std::string_view word, Elements& elements) {
 void ObjChecker::add_library(std::string_view line, std::string_view rest) {
   const std::string_view names = trimmed(rest);
   if (names.empty()) file_.fail(line, "mtllib without a file name");
+  if (!library_names_.emplace(names).second) return;
+  if (libraries_.size() >= most_libraries) {
+    file_.fail(line, fmt::format("more than {} mtllib statements, the limit", most_libraries));
+  }
   libraries_.push_back({std::string(names), file_.position(names)});
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,9 +64,11 @@ class ObjChecker {
   const ImportLimits& limits_;
   Elements vertices_{"v"}, uvs_{"vt"}, normals_{"vn"};
   std::uint64_t corners_ = 0, triangles_ = 0;
+  std::string mended_;           // the line at hand, where it must be changed
   std::vector<double> numbers_;  // of the line at hand
   std::vector<Vec4f> colors_;
   std::vector<ObjLibrary> libraries_;
+  std::set<std::string, std::less<>> library_names_;
   std::map<std::string, Unused, std::less<>> unused_;
 };
 

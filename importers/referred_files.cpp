@@ -14,6 +14,13 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
+// Whether `name` is a regular file in the asset's folder or below.
+bool is_inside(const fs::path& asset, const std::string& name) {
+  const fs::path relative = fs::path(name).lexically_normal();
+  if (name.empty() || relative.is_absolute() || *relative.begin() == "..") return false;
+  return !input_file_fault(asset.parent_path() / relative);
+}
+
 int hex_digit(char c) {
   const std::string digits = "0123456789abcdef";
   const std::size_t at =
@@ -51,15 +58,17 @@ Names names_in_gltf(const fs::path& path) {
   return names;
 }
 
-// The rest of every line that begins with one of the words; of a texture's line, whose options come
-// first, the last word.
-Names names_after(const fs::path& path, bool (*is_wanted)(const std::string&), bool last_word) {
+// The rest of every line whose first word begins with `start`; of a texture's line, whose options
+// come first, the last word.
+Names names_after(const fs::path& path, const std::string& start, bool last_word) {
   std::ifstream in(path, std::ios::binary);
   Names names;
   for (std::string line; std::getline(in, line);) {
+    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    if (line.compare(begin, start.size(), start) != 0) continue;
     std::istringstream words(line);
     std::string word, rest;
-    if (!(words >> word) || !is_wanted(word)) continue;
+    words >> word;
     while (words >> word) rest = last_word || rest.empty() ? word : rest + " " + word;
     std::replace(rest.begin(), rest.end(), '\\', '/');
     names.push_back(rest);
@@ -68,14 +77,12 @@ Names names_after(const fs::path& path, bool (*is_wanted)(const std::string&), b
 }
 
 Names names_in_obj(const fs::path& path) {
-  Names names = names_after(
-      path, [](const std::string& word) { return word == "mtllib"; }, false);
+  Names names = names_after(path, "mtllib", false);
   const Names libraries = names;
   for (const std::string& library : libraries) {
+    if (!is_inside(path, library)) continue;
     const fs::path file = path.parent_path() / library;
-    if (input_file_fault(file)) continue;
-    const auto is_map = [](const std::string& word) { return word.starts_with("map_"); };
-    const Names textures = names_after(file, is_map, true);
+    const Names textures = names_after(file, "map_", true);
     names.insert(names.end(), textures.begin(), textures.end());
   }
   return names;
@@ -90,10 +97,8 @@ std::vector<std::string> referred_files(const fs::path& asset) {
   if (extension == ".obj") names = names_in_obj(asset);
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  const auto is_missing = [&](const std::string& name) {
-    return name.empty() || input_file_fault(asset.parent_path() / name).has_value();
-  };
-  names.erase(std::remove_if(names.begin(), names.end(), is_missing), names.end());
+  const auto is_outside = [&](const std::string& name) { return !is_inside(asset, name); };
+  names.erase(std::remove_if(names.begin(), names.end(), is_outside), names.end());
   return names;
 }
 

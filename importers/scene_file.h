@@ -43,6 +43,8 @@ struct SceneFile {
   FaultList faults;
   Scene scene;
   std::vector<SceneAsset> assets;
+  std::size_t triangles = 0;  // of all assets
+  std::map<std::string, int> object_of_name;
   std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   std::vector<ObjectMaterials> object_materials;  // one an object

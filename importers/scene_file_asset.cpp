@@ -21,11 +21,10 @@ std::optional<int> shared_asset(SceneFile& file, TextPosition at, const std::str
   if (known != file.asset_of_key.end()) return known->second;
   try {
     Asset asset = load();
-    const std::size_t triangles =
-        stored_triangles(file.scene.meshes) + stored_triangles(asset.meshes);
-    if (triangles > file.limits.triangles) {
+    file.triangles += stored_triangles(asset.meshes);
+    if (file.triangles > file.limits.triangles) {
       report(at, fmt::format("the scene has {} triangles up to here, must have at most {}",
-                             triangles, file.limits.triangles));
+                             file.triangles, file.limits.triangles));
       return std::nullopt;
     }
     file.assets.push_back(add_asset(file.scene, std::move(asset)));

@@ -6,14 +6,14 @@
 namespace restframe {
 namespace {
 
-std::optional<MaterialReference> read_object_name(TableReader& material, const Scene& scene) {
+std::optional<MaterialReference> read_object_name(TableReader& material, const SceneFile& file) {
   const auto name = material.text("object");
   if (!name) return std::nullopt;
-  std::vector<std::string> names;
-  for (const Object& object : scene.objects) {
-    if (object.name == *name) return MaterialReference{material.place("object"), *name};
-    names.push_back(object.name);
+  if (file.object_of_name.count(*name) > 0) {
+    return MaterialReference{material.place("object"), *name};
   }
+  std::vector<std::string> names;
+  for (const auto& [known, index] : file.object_of_name) names.push_back(known);
   material.report(material.place("object"),
                   fmt::format("there is no object \"{}\", the nearest is \"{}\"", *name,
                               nearest(*name, names)));
@@ -45,7 +45,7 @@ std::optional<MaterialChange> read_change(const ConfigTable& table, SceneFile& f
   MaterialChange change;
   change.at = material.place("name");
   change.name = name.value_or("");
-  change.object = read_object_name(material, file.scene);
+  change.object = read_object_name(material, file);
   const bool lost = !name || (material.has("object") && !change.object);
   read_properties(material, change, file);
   material.finish();

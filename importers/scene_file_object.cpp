@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "importers/scene_file.h"
@@ -84,9 +83,8 @@ std::string read_name(const ConfigTable& table, SceneFile& file) {
   const std::string fallback = fmt::format("object_{}", file.scene.objects.size() + 1);
   TableReader reader(table, {file.faults, fallback});
   const std::string name = reader.text("name").value_or(fallback);
-  const auto& objects = file.scene.objects;
-  const auto same = [&](const Object& object) { return object.name == name; };
-  if (std::any_of(objects.begin(), objects.end(), same)) {
+  const int index = static_cast<int>(file.scene.objects.size());
+  if (!file.object_of_name.emplace(name, index).second) {
     file.faults.add(reader.place("name"), fmt::format("two objects have the name \"{}\"", name));
   }
   return name;

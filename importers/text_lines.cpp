@@ -17,6 +17,16 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
+// tinyobjloader makes NaN of 0e500, and infinity of very many digits.
+bool has_huge_exponent(std::string_view word) {
+  const std::size_t e = word.find_first_of("eE");
+  if (e == word.npos) return false;
+  word.remove_prefix(std::min(e + (word.substr(e + 1, 1) == "+" ? 2 : 1), word.size()));
+  int exponent = 0;
+  const auto error = std::from_chars(word.data(), word.data() + word.size(), exponent).ec;
+  return word.substr(0, 1) != "-" && (exponent > 400 || error == std::errc::result_out_of_range);
+}
+
 }  // namespace
 
 TextFile::TextFile(std::filesystem::path path, std::size_t limit)
@@ -83,14 +93,14 @@ std::size_t TextFile::offset(std::string_view word) const {
 }
 
 std::string TextFile::position(std::size_t offset) const {
-  std::size_t line = 1, begin = 0;
-  for (std::size_t i = 0; i < offset; ++i) {
+  if (offset < located_.offset) located_ = {};
+  for (std::size_t& i = located_.offset; i < offset; ++i) {
     const bool lone_cr = bytes_[i] == '\r' && (i + 1 >= bytes_.size() || bytes_[i + 1] != '\n');
     if (bytes_[i] != '\n' && !lone_cr) continue;
-    ++line;
-    begin = i + 1;
+    ++located_.line;
+    located_.line_begin = i + 1;
   }
-  return fmt::format("{}:{}:{}", path_.string(), line, offset - begin + 1);
+  return fmt::format("{}:{}:{}", path_.string(), located_.line, offset - located_.line_begin + 1);
 }
 
 void TextFile::fail(std::string_view word, const std::string& reason) const {
@@ -114,11 +124,14 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool read_number(std::string_view word, double& value) {
+  constexpr std::size_t longest = 300;
+  if (word.size() > longest || has_huge_exponent(word)) return false;
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error == std::errc::result_out_of_range)
+  if (error == std::errc::result_out_of_range) {
     value = std::strtod(std::string(word).c_str(), nullptr);
+  }
   return error != std::errc::invalid_argument && stop == end && std::isfinite(value);
 }
 

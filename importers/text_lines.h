@@ -39,10 +39,16 @@ class TextFile {
   std::size_t skip_line_end(std::size_t end) const;
   std::string_view join_lines(std::size_t end);
 
+  // Where an offset is; lines are counted on from here.
+  struct Location {
+    std::size_t offset = 0, line = 1, line_begin = 0;
+  };
+
   std::filesystem::path path_;
   std::string bytes_;
   std::string joined_;
   std::size_t line_begin_ = 0, next_begin_ = 0, next_lf_ = 0;
+  mutable Location located_;
 };
 
 // The first word of `rest` (spaces and tabs divide), taken off it; empty if there is none.

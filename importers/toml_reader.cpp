@@ -225,11 +225,12 @@ std::optional<std::size_t> read_choice(TextPosition at, const std::string& chose
 }
 
 std::optional<std::string> TableReader::one_of(const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) find(key);
   std::optional<std::string> first;
-  for (const std::string& key : keys) {
-    if (!has(key)) continue;
-    if (first) report(key_place(key), fmt::format("{} and {} exclude each other", *first, key));
-    if (!first) first = key;
+  for (const ConfigEntry& entry : table_.entries) {
+    if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) continue;
+    if (first) report(entry.key_at, fmt::format("{} and {} exclude each other", *first, entry.key));
+    if (!first) first = entry.key;
   }
   return first;
 }

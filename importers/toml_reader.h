@@ -79,7 +79,7 @@ class TableReader {
   // The index in `names` of the text under `key`.
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& names);
 
-  // Of the keys that exclude each other, the one that is there; more than one is a fault.
+  // Of the keys that exclude each other, the first that is there; every further one is a fault.
   std::optional<std::string> one_of(const std::vector<std::string>& keys);
 
   // Keys that mean something, but not to this version.

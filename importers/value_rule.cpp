@@ -11,10 +11,14 @@ namespace {
 
 constexpr double largest_float = 3.4e38;
 
-std::optional<Vec3f> read_triple(const ConfigValue& value, const std::string& what,
-                                 const Range& range, const Reporter& report) {
-  const std::optional<Vec3> triple = read_vector(value, what, range, report);
-  return triple ? std::optional(Vec3f(*triple)) : std::nullopt;
+// The value in single precision, if that can hold it.
+std::optional<TemporalValue> narrowed(const std::optional<Vec3>& value, TextPosition at,
+                                      const std::string& what, const Reporter& report) {
+  if (!value) return std::nullopt;
+  const Vec3 size = glm::abs(*value);
+  if (std::max({size.x, size.y, size.z}) <= largest_float) return TemporalValue(*value);
+  report(at, fmt::format("{} is too large, must be at most {}", what, largest_float));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,15 +38,13 @@ std::optional<TemporalValue> read_color_text(TextPosition at, const std::string&
 
 std::optional<TemporalValue> read_value(const ConfigValue& value, const std::string& what,
                                         const ValueRule& rule, const Reporter& report) {
-  Range range = rule.range;
-  range.high = std::min(range.high, largest_float);
-  range.low = std::max(range.low, -largest_float);
   if (!rule.is_color) {
-    const std::optional<double> number = read_number(value, what, range, report);
-    return number ? std::optional(TemporalValue(static_cast<float>(*number))) : std::nullopt;
+    const std::optional<double> number = read_number(value, what, rule.range, report);
+    return narrowed(number ? std::optional(Vec3(*number)) : std::nullopt, value.at, what, report);
   }
-  if (std::holds_alternative<ConfigArray>(value.data))
-    return read_triple(value, what, range, report);
+  if (std::holds_alternative<ConfigArray>(value.data)) {
+    return narrowed(read_vector(value, what, rule.range, report), value.at, what, report);
+  }
   if (const auto* text = std::get_if<std::string>(&value.data)) {
     return read_color_text(value.at, *text, what, report);
   }

@@ -82,6 +82,10 @@ TEST_F(BadObj, Numbers) {
   EXPECT_THAT(fault_of("v 1 2 +-3\n"), HasSubstr(":1:7:"));
   EXPECT_EQ(fault_of(triangle + "vn 0 1\n"), ":4:1: vn with 2 numbers, must be 3");
   EXPECT_EQ(fault_of(triangle + "vt\n"), ":4:1: vt with 0 numbers, must be 1 to 3");
+  EXPECT_THAT(fault_of("v 0e500 0 0\n"), HasSubstr(":1:3:"));
+  EXPECT_THAT(fault_of("v 1e99999999999 0 0\n"), HasSubstr(":1:3:"));
+  EXPECT_THAT(fault_of("v 1" + std::string(400, '0') + "e-395 0 0\n"), HasSubstr(":1:3:"));
+  EXPECT_EQ(fault_of("v 1e-99999999999 0 -0\nv 1E+2 0 0\nv 0 1 0\nf 1 2 3\n"), "");
   EXPECT_EQ(fault_of("v 1e-400 0 0\nv 1 0 1e-40\nv 0 1 0\nf 1 2 3\n"), "");
 }
 
@@ -152,6 +156,9 @@ TEST_F(BadObj, MaterialFilesAreRegularFiles) {
   ASSERT_EQ(mkfifo(files_.path("fifo.mtl").c_str(), 0600), 0);
   EXPECT_THAT(fault_of("mtllib folder.mtl\n" + face), HasSubstr("is not a regular file"));
   EXPECT_THAT(fault_of("mtllib fifo.mtl\n" + face), HasSubstr("is not a regular file"));
+  std::string many = face;
+  for (int i = 0; i < 1001; ++i) many += fmt::format("mtllib {}.mtl\n", i);
+  EXPECT_THAT(fault_of(many), HasSubstr(":1005:1: more than 1000 mtllib statements"));
   EXPECT_THAT(fault_of("mtllib\n" + face), HasSubstr(":1:1: mtllib without a file name"));
 }
 

@@ -77,6 +77,12 @@ TEST_F(Obj, ByteOrderMarkOfUtf8IsSkipped) {
   EXPECT_EQ(load("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").meshes.size(), 1U);
 }
 
+TEST_F(Obj, SlashesWithoutAnIndexMeanNone) {
+  const Asset asset = load(square + "vt 0 0\nvn 0 1 0\nf 1/ 2// 3/1/\nf 1// 3/ 4/\n");
+  EXPECT_EQ(asset.meshes[0].triangles.size(), 2U);
+  EXPECT_EQ(asset.meshes[0].normals[0], Vec3f(0, 0, 1));
+}
+
 TEST_F(Obj, FacesMayComeBeforeTheirVertices) {
   EXPECT_EQ(load("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").meshes[0].triangles.size(), 1U);
 }

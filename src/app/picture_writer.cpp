@@ -8,10 +8,10 @@ PictureWriter::~PictureWriter() {
   if (pending_.valid()) pending_.wait();
 }
 
-void PictureWriter::write(std::filesystem::path path, Picture picture, PictureInfo info) {
+void PictureWriter::write(std::filesystem::path path, const Picture& picture, PictureInfo info) {
   finish();
-  pending_ = std::async(std::launch::async, [preview = preview_, path = std::move(path),
-                                             picture = std::move(picture), info = std::move(info)] {
+  pending_ = std::async(std::launch::async, [preview = preview_, path = std::move(path), &picture,
+                                             info = std::move(info)] {
     // The preview first: where the EXR is, all of the picture is.
     if (preview && picture.has_beauty()) {
       write_png(std::filesystem::path(path).replace_extension(".png"), picture);

@@ -7,14 +7,15 @@
 
 namespace restframe {
 
-// Writes a picture while the next one renders. One picture waits at most, so memory holds two.
+// Writes a picture while the next one renders.
 class PictureWriter {
  public:
   explicit PictureWriter(bool preview) : preview_(preview) {}
   ~PictureWriter();
 
-  // Waits for the picture before; rethrows what went wrong with it.
-  void write(std::filesystem::path path, Picture picture, PictureInfo info);
+  // Waits for the picture before; rethrows what went wrong with it. `picture` must stay as it is until the
+  // next call has returned.
+  void write(std::filesystem::path path, const Picture& picture, PictureInfo info);
   // Waits for the last one.
   void finish();
 

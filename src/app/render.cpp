@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "app/commands.h"
 #include "app/messages.h"
 #include "app/picture_files.h"
@@ -54,12 +56,16 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
                     quiet);
   const RenderContext context{scene, integrator, evaluators,
                               [&](std::size_t samples) { progress.samples_done(samples); }};
+  // One is rendered while the other is written.
+  std::array pictures{blank_picture(scene), blank_picture(scene)};
   PictureWriter writer(scene.output.preview);
+  std::size_t current = 0;
   for (const int number : numbers) {
-    Picture picture = render_picture(context, number);
-    writer.write(picture_path(scene.output.path, number, single), std::move(picture),
+    render_picture(context, number, pictures[current]);
+    writer.write(picture_path(scene.output.path, number, single), pictures[current],
                  picture_info(scene, number));
     progress.picture_done();
+    current = 1 - current;
   }
   writer.finish();
   if (writer.clamped_values() > 0) {

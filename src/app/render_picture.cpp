@@ -62,11 +62,13 @@ PacketId block_id(const PictureView& view, const Block& block) {
 }
 
 void store(Picture& picture, const Block& block, const RadianceLanes& sum, float scale) {
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const int x = pixel_x(block, lane);
-    const int y = pixel_y(block, lane);
-    if (x >= picture.width() || y >= picture.height()) continue;
-    picture.set_radiance(x, y, scale * Vec4f(sum.r[lane], sum.g[lane], sum.b[lane], sum.a[lane]));
+  const int columns = std::min(block_side, picture.width() - block.x);
+  const int rows = std::min(block_side, picture.height() - block.y);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const int lane = row * block_side + column;
+      picture.set_radiance(block.x + column, block.y + row, scale * sum[lane]);
+    }
   }
 }
 
@@ -79,18 +81,14 @@ void store(Picture& picture, const Block& block, const SurfaceDataLanes& data) {
 }
 
 void add(RadianceLanes& sum, const RadianceLanes& radiance) {
-  for (int lane = 0; lane < packet_size; ++lane) {
-    sum.r[lane] += radiance.r[lane];
-    sum.g[lane] += radiance.g[lane];
-    sum.b[lane] += radiance.b[lane];
-    sum.a[lane] += radiance.a[lane];
-  }
+  for (int lane = 0; lane < packet_size; ++lane) sum[lane] += radiance[lane];
 }
 
 void render_block(const PictureView& view, const Block& block, TemporalEvaluator& evaluator,
                   Picture& picture) {
   const int samples = picture.has_beauty() ? view.context.scene.render.samples : 1;
-  RadianceLanes sum{};
+  RadianceLanes sum;
+  sum.fill(Vec4f(0));
   PacketId id = block_id(view, block);
   for (int sample = 0; sample < samples; ++sample) {
     id.sample = static_cast<std::uint32_t>(sample);
@@ -151,19 +149,21 @@ double picture_time(const AnimationSettings& animation, int number) {
   return animation.start + number / animation.rate;
 }
 
-Picture render_picture(const RenderContext& context, int number) {
+Picture blank_picture(const Scene& scene) {
+  return {scene.render.width, scene.render.height, scene.output.layers, {scene.light_speed}};
+}
+
+void render_picture(const RenderContext& context, int number, Picture& picture) {
   const Scene& scene = context.scene;
   const RenderSettings& settings = scene.render;
   const CameraPose pose = pose_at(scene.camera, picture_time(scene.animation, number));
   const Projection projection(pose, scene.camera.vertical_fov, settings.width, settings.height);
   const PictureView view{context, number, pose, projection, film_offsets(settings.samples)};
-  Picture picture(settings.width, settings.height, scene.output.layers, {scene.light_speed});
   const auto tiles = [](int length) {
     return static_cast<std::size_t>((length + tile_size - 1) / tile_size);
   };
   parallel_for(tiles(settings.width) * tiles(settings.height),
                [&](std::size_t tile) { render_tile(view, tile, picture); });
-  return picture;
 }
 
 }  // namespace restframe

@@ -20,8 +20,11 @@ struct RenderContext {
 // The camera's own time of a picture.
 double picture_time(const AnimationSettings& animation, int number);
 
-// The same bits for any number of threads. Throws Interrupted when a signal came, and InputError
+// An empty picture with the scene's size and layers.
+Picture blank_picture(const Scene& scene);
+
+// Writes every pixel of `picture`. The same bits for any number of threads. Throws Interrupted when a signal came, and InputError
 // where a formula gives no finite value.
-Picture render_picture(const RenderContext& context, int number);
+void render_picture(const RenderContext& context, int number, Picture& picture);
 
 }  // namespace restframe

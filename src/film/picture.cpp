@@ -19,10 +19,6 @@ Picture::Picture(int width, int height, std::span<const Layer> layers, const Dat
   }
 }
 
-void Picture::set_radiance(int x, int y, const Vec4f& rgba) {
-  if (!rgba_.empty()) rgba_[index(x, y)] = rgba;
-}
-
 void Picture::set_data(int x, int y, const SurfaceData& data) {
   const std::size_t i = index(x, y);
   for (ChannelPixels& pixels : channels_) {

@@ -26,7 +26,9 @@ class Picture {
   const std::vector<Vec4f>& rgba() const { return rgba_; }
   const std::vector<ChannelPixels>& channels() const { return channels_; }
 
-  void set_radiance(int x, int y, const Vec4f& rgba);
+  void set_radiance(int x, int y, const Vec4f& rgba) {
+    if (!rgba_.empty()) rgba_[index(x, y)] = rgba;
+  }
   void set_data(int x, int y, const SurfaceData& data);
 
  private:

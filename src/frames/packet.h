@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "physics/four_vector.h"
+#include "physics/lorentz.h"
 
 namespace restframe {
 
@@ -37,6 +37,11 @@ struct Vec3fLanes {
   Lanes<float> x, y, z;
 
   Vec3f at(int i) const { return {x[i], y[i], z[i]}; }
+  void set(int i, const Vec3f& v) {
+    x[i] = v.x;
+    y[i] = v.y;
+    z[i] = v.z;
+  }
 };
 
 template <class Frame>
@@ -63,6 +68,20 @@ struct WaveVectorLanes {
   }
 };
 
+// Boosts 16 wave vectors. Many frames are at rest in the world: those cost nothing.
+template <class To, class From>
+void transform(const Boost<To, From>& to_from, const WaveVectorLanes<From>& from,
+               WaveVectorLanes<To>& to) {
+  const Boost<To, From> boost = to_from;
+  if (boost.is_identity()) {
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) to.set(i, {from.t[i], from.x.at(i)});
+    return;
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) to.set(i, boost(from.at(i)));
+}
+
 // Rays traced back in time: points are origin + s k with s > s_min. Inactive lanes find nothing.
 struct RayPacket {
   EventLanes<in::World> origin;
@@ -84,6 +103,7 @@ struct HitPacket {
   Lanes<double> s;
   Lanes<float> bary_u, bary_v;  // weights of the triangle's second and third corner
   Vec3fLanes facet_normal;      // Embree's: any length, in the coordinates of FramePart::positions
+  Vec3fLanes sight;             // unit direction of the ray in rest-frame axes
   Lanes<double> rest_t;         // the ray origin's rest-frame time, and ...
   Lanes<double> rest_k_t;       // ... the wave vector's time part there
   Vec3Lanes origin, k;          // traversal coordinates

@@ -123,6 +123,7 @@ void RestFrame::set_traversal(const Mat4& rest_from_traversal) {
   rest_from_traversal_linear_ = Mat3(rest_from_traversal);
   rest_from_traversal_offset_ = Vec3(rest_from_traversal[3]);
   traversal_from_rest_linear_ = glm::inverse(rest_from_traversal_linear_);
+  traversal_is_turned_ = rest_from_traversal_linear_ != Mat3(1);
 }
 
 double RestFrame::clock_at_anchor(const Object& object) const {

@@ -64,10 +64,6 @@ class RestFrame {
     return rest_from_traversal_linear_ * traversal + rest_from_traversal_offset_;
   }
 
-  Vec3 rest_direction(const Vec3& traversal) const {
-    return rest_from_traversal_linear_ * traversal;
-  }
-
   // What the clock of `object` shows at rest-frame time 0, that is, at the anchor.
   double clock_at_anchor(const Object& object) const;
   // Where the object's origin rests.
@@ -86,6 +82,7 @@ class RestFrame {
   Bounds bounds_;                 // traversal coordinates
   Mat3 rest_from_traversal_linear_{1}, traversal_from_rest_linear_{1};
   Vec3 rest_from_traversal_offset_{0};
+  bool traversal_is_turned_ = false;  // or scaled: the linear part is not the identity
 };
 
 }  // namespace restframe

@@ -11,7 +11,9 @@ namespace {
 
 // A packet in the traversal coordinates of one rest frame.
 struct LocalRays {
-  Lanes<double> rest_t, rest_k_t;
+  Lanes<double> rest_t;
+  WaveVectorLanes<in::Rest> rest_k;
+  Vec3fLanes sight;
   Vec3Lanes origin, k;
   Lanes<double> s_enter, s_leave;  // where the ray is within the frame's bounds
   Lanes<std::int32_t> active;
@@ -21,14 +23,16 @@ struct LocalRays {
 // NaN for a ray in the slab's face, which std::min and std::max in this order leave without effect.
 inline void clip(double origin, double k, double lower, double upper, double& enter,
                  double& leave) {
-  const double a = (lower - origin) / k;
-  const double b = (upper - origin) / k;
+  const double inverse = 1.0 / k;
+  const double a = (lower - origin) * inverse;
+  const double b = (upper - origin) * inverse;
   enter = std::max(enter, std::min(a, b));
   leave = std::min(leave, std::max(a, b));
 }
 
 void clip_to_bounds(const Bounds& bounds, const RayPacket& rays, const HitPacket& hits,
                     LocalRays& local) {
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     double enter = rays.s_min[i];
     double leave = hits.s[i];
@@ -45,12 +49,14 @@ void clip_to_bounds(const Bounds& bounds, const RayPacket& rays, const HitPacket
 
 bool any_active(const Lanes<std::int32_t>& active) {
   std::int32_t any = 0;
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) any |= active[i];
   return any != 0;
 }
 
 // The origin moves to where the ray enters the bounds, so that floats only hold what is inside.
 void narrow(const LocalRays& local, RTCRayHit16& query) {
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const double s = local.s_enter[i];
     query.ray.org_x[i] = static_cast<float>(local.origin.x[i] + s * local.k.x[i]);
@@ -88,6 +94,7 @@ void replace(bool condition, T& value, const T& by) {
 }
 
 void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, HitPacket& hits) {
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const bool hit = local.active[i] != 0 && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
     const std::uint32_t instance = query.hit.instID[0][i];
@@ -100,9 +107,12 @@ void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, 
     replace(hit, hits.facet_normal.x[i], query.hit.Ng_x[i]);
     replace(hit, hits.facet_normal.y[i], query.hit.Ng_y[i]);
     replace(hit, hits.facet_normal.z[i], query.hit.Ng_z[i]);
+    replace(hit, hits.sight.x[i], local.sight.x[i]);
+    replace(hit, hits.sight.y[i], local.sight.y[i]);
+    replace(hit, hits.sight.z[i], local.sight.z[i]);
     replace(hit, hits.s[i], local.s_enter[i] + static_cast<double>(query.ray.tfar[i]));
     replace(hit, hits.rest_t[i], local.rest_t[i]);
-    replace(hit, hits.rest_k_t[i], local.rest_k_t[i]);
+    replace(hit, hits.rest_k_t[i], local.rest_k.t[i]);
     replace(hit, hits.origin.x[i], local.origin.x[i]);
     replace(hit, hits.origin.y[i], local.origin.y[i]);
     replace(hit, hits.origin.z[i], local.origin.z[i]);
@@ -113,9 +123,18 @@ void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, 
 }
 
 // Linear maps commute with s: transform the origin as a point and k as a vector.
-void to_traversal(const Mat3& linear, const Vec3& offset, LocalRays& local) {
+void shift_to_traversal(const Vec3& offset, LocalRays& local) {
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    local.origin.set(i, linear * (local.origin.at(i) - offset));
+    local.origin.set(i, local.origin.at(i) - offset);
+    local.k.set(i, local.rest_k.x.at(i));
+  }
+}
+
+void turn_to_traversal(const Mat3& linear, LocalRays& local) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    local.origin.set(i, linear * local.origin.at(i));
     local.k.set(i, linear * local.k.at(i));
   }
 }
@@ -124,17 +143,20 @@ void to_traversal(const Mat3& linear, const Vec3& offset, LocalRays& local) {
 
 void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local;
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const Event<in::Rest> origin = coordinates_(rays.origin.at(i));
-    local.rest_t[i] = origin.t;
-    local.origin.set(i, origin.x);
+    const Displacement<in::Rest> from_anchor =
+        coordinates_.from_world(rays.origin.at(i) - coordinates_.anchor);
+    local.rest_t[i] = from_anchor.t;
+    local.origin.set(i, from_anchor.x);
   }
+  transform(coordinates_.from_world, rays.k, local.rest_k);
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const WaveVector<in::Rest> k = coordinates_(rays.k.at(i));
-    local.rest_k_t[i] = k.t;
-    local.k.set(i, k.x);
+    local.sight.set(i, Vec3f(sight_direction(local.rest_k.at(i))));
   }
-  to_traversal(traversal_from_rest_linear_, rest_from_traversal_offset_, local);
+  shift_to_traversal(rest_from_traversal_offset_, local);
+  if (traversal_is_turned_) turn_to_traversal(traversal_from_rest_linear_, local);
   clip_to_bounds(bounds_, rays, hits, local);
   if (!any_active(local.active)) return;
 
@@ -189,9 +211,8 @@ double RestFrame::s_behind(const HitPacket& hits, int lane) const {
   const Vec3 k = hits.k.at(lane);
   const Vec3 point = hits.origin.at(lane) + hits.s[lane] * k;
   const double size = glm::length(point) + glm::length(bounds_.center());
-  const Vec3 ray = glm::normalize(rest_direction(k));
   const Vec3 facet(parts_[hits.part[lane]].rest_from_facet_normal * hits.facet_normal.at(lane));
-  const double cosine = std::abs(glm::dot(ray, facet)) / glm::length(facet);
+  const double cosine = std::abs(glm::dot(Vec3(hits.sight.at(lane)), facet)) / glm::length(facet);
   return hits.s[lane] + float_noise * size / (glm::length(k) * std::max(least_cosine, cosine));
 }
 

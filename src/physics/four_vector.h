@@ -74,7 +74,7 @@ WaveVector<Frame> looking_along(const Vec3& direction) {
 // The unit direction in which the ray looks, that is, against the light's propagation.
 template <class Frame>
 Vec3 sight_direction(const WaveVector<Frame>& k) {
-  return k.x / -k.t;
+  return k.x * (-1.0 / k.t);
 }
 
 template <class Frame>

@@ -25,16 +25,18 @@ class Boost {
   Boost() = default;
 
   // velocity: of the frame `To`, measured in the frame `From`.
-  explicit Boost(const Velocity& velocity) : velocity_(velocity) {}
+  explicit Boost(const Velocity& velocity)
+      : velocity_(velocity), inverse_gamma_plus_1_(1.0 / (velocity.gamma() + 1.0)) {}
 
   const Velocity& velocity() const { return velocity_; }
+  bool is_identity() const { return velocity_.gamma_beta() == Vec3(0); }
   Boost<From, To> inverse() const { return Boost<From, To>(-velocity_); }
 
   Displacement<To> operator()(const Displacement<From>& d) const {
     const Vec3& u = velocity_.gamma_beta();
     const double gamma = velocity_.gamma();
     const double u_dot_x = glm::dot(u, d.x);
-    return {gamma * d.t - u_dot_x, d.x + u * (u_dot_x / (gamma + 1.0) - d.t)};
+    return {gamma * d.t - u_dot_x, d.x + u * (u_dot_x * inverse_gamma_plus_1_ - d.t)};
   }
 
   WaveVector<To> operator()(const WaveVector<From>& k) const {
@@ -43,15 +45,23 @@ class Boost {
     const double omega = -k.t;
     const double u_dot_x = glm::dot(u, k.x);
     const Vec3 u_cross_x = glm::cross(u, k.x);
-    const double omega_to =
-        u_dot_x < 0.0 ? (omega * omega + glm::dot(u_cross_x, u_cross_x)) / (gamma * omega - u_dot_x)
-                      : gamma * omega + u_dot_x;
-    const Vec3 x_to = k.x + u * ((omega + omega_to) / (gamma + 1.0));
-    return {-omega_to, x_to * (omega_to / glm::length(x_to))};
+    // omega' = numerator / sum without a difference; one division gives it and its inverse, and the choice
+    // of the numerator is no branch.
+    const double sum = gamma * omega + std::abs(u_dot_x);
+    const double numerator =
+        u_dot_x < 0.0 ? omega * omega + glm::dot(u_cross_x, u_cross_x) : sum * sum;
+    const double inverse = 1.0 / (sum * numerator);
+    const double omega_to = numerator * numerator * inverse;
+    const double inverse_omega_to = sum * sum * inverse;
+    const Vec3 x_to = k.x + u * ((omega + omega_to) * inverse_gamma_plus_1_);
+    // omega' / |x'| to first order in their difference, which is rounding: what is left is its square.
+    const Vec3 unit = x_to * inverse_omega_to;
+    return {-omega_to, x_to * (1.5 - 0.5 * glm::dot(unit, unit))};
   }
 
  private:
   Velocity velocity_;
+  double inverse_gamma_plus_1_ = 0.5;
 };
 
 // The velocity, in the frame `From`, of something that moves with `velocity` in the frame `To`.

@@ -89,7 +89,7 @@ Bounds bounds_of(const Mesh& mesh) {
   return bounds;
 }
 
-int material_slot(const Mesh& mesh, std::uint32_t triangle) {
+int find_material_slot(const Mesh& mesh, std::uint32_t triangle) {
   const auto after = std::upper_bound(mesh.materials.begin(), mesh.materials.end(), triangle,
                                       [](std::uint32_t wanted, const MaterialRange& range) {
                                         return wanted < range.first_triangle;

@@ -44,8 +44,11 @@ struct Bounds {
 
 Bounds bounds_of(const Mesh& mesh);
 
-// The material slot of a triangle.
-int material_slot(const Mesh& mesh, std::uint32_t triangle);
+// The material slot of a triangle, of several ranges by bisection.
+int find_material_slot(const Mesh& mesh, std::uint32_t triangle);
+inline int material_slot(const Mesh& mesh, std::uint32_t triangle) {
+  return mesh.materials.size() == 1 ? mesh.materials[0].slot : find_material_slot(mesh, triangle);
+}
 
 // Appends `part` to `mesh`, its triangles using `slot`. Attributes that one of the two lacks are
 // filled in: UVs with 0, colours with white, normals with those of the triangles' corners.

@@ -9,11 +9,14 @@ namespace restframe {
 // frame.
 inline void camera_rays(const CameraPose& pose, const Projection& projection,
                         const Lanes<double>& film_x, const Lanes<double>& film_y, RayPacket& rays) {
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) rays.origin.set(i, pose.event);
+  WaveVectorLanes<in::Camera> k;
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const Vec3 direction = projection.direction(film_x[i], film_y[i]);
-    rays.k.set(i, pose.world_from_camera(looking_along<in::Camera>(direction)));
+    k.set(i, looking_along<in::Camera>(projection.direction(film_x[i], film_y[i])));
   }
+  transform(pose.world_from_camera, k, rays.k);
   rays.s_min.fill(0.0);
 }
 

@@ -12,15 +12,6 @@ float beaming_factor(double doppler) {
   return static_cast<float>(squared * squared);  // bolometric radiance gains D^4
 }
 
-// Composites `color` (premultiplied) behind what the lane has gathered so far.
-void composite(RadianceLanes& radiance, int lane, const Vec3f& color, float alpha) {
-  const float behind = 1.0F - radiance.a[lane];
-  radiance.r[lane] += behind * color.x;
-  radiance.g[lane] += behind * color.y;
-  radiance.b[lane] += behind * color.z;
-  radiance.a[lane] += behind * alpha;
-}
-
 }  // namespace
 
 Preview::Preview(const Scene& scene, const FrameSet& frames)
@@ -36,98 +27,108 @@ Preview::Plain Preview::plain(const Material& m) {
   Plain result;
   result.always = !changes && !textured && m.alpha_mode == AlphaMode::opaque;
   result.double_sided = m.double_sided;
-  result.unlit = m.unlit;
-  result.base_color = m.base_color.value;
-  result.emission = m.emission.value * m.emission_strength.value;
+  const Vec4f base(m.base_color.value, 0.0F);
+  result.lit = m.unlit ? Vec4f(0) : base;
+  result.unlit = m.unlit ? base : Vec4f(0);
+  result.emission = Vec4f(m.emission.value * m.emission_strength.value, 1.0F);
   return result;
 }
 
-Vec4f Preview::texel(const TextureUse& use, const Surface& surface) const {
+Vec4f Preview::texel(const TextureUse& use, const Met& met) const {
   if (use.texture < 0) return Vec4f(1);
   const Texture& texture = scene_.textures[static_cast<std::size_t>(use.texture)];
   const Image& image = scene_.images[static_cast<std::size_t>(texture.image)];
-  return sample_texture(texture, image, surface.uv[static_cast<std::size_t>(use.uv_set)]);
+  return sample_texture(texture, image, uv_at(scene_, frames_, met.hits, met.lane, use.uv_set));
 }
 
-float Preview::coverage(const Material& material, const Surface& surface, float texture_alpha,
-                        double clock, TemporalEvaluator& evaluator) const {
-  if (surface.back && !material.double_sided) return 0.0F;
+float Preview::coverage(const Material& material, const Met& met, float texture_alpha, double clock,
+                        TemporalEvaluator& evaluator) const {
+  if (met.surfaces.back[met.lane] != 0 && !material.double_sided) return 0.0F;
   if (material.alpha_mode == AlphaMode::opaque) return 1.0F;
-  const float alpha = evaluator(material.opacity, clock) * texture_alpha * surface.color.w;
+  const float alpha =
+      evaluator(material.opacity, clock) * texture_alpha * met.surfaces.color[met.lane].w;
   if (material.alpha_mode == AlphaMode::mask) return alpha >= material.alpha_cutoff ? 1.0F : 0.0F;
   return glm::clamp(alpha, 0.0F, 1.0F);
 }
 
-Preview::Shaded Preview::shade_changing(const Surface& surface, double clock,
-                                        TemporalEvaluator& evaluator) const {
-  const Material& material = scene_.materials[static_cast<std::size_t>(surface.material)];
-  const Vec4f base_texel = texel(material.base_color_texture, surface);
-  const float alpha = coverage(material, surface, base_texel.w, clock, evaluator);
-  if (alpha <= 0.0F) return {};
+Vec4f Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) const {
+  const SurfaceLanes& surfaces = met.surfaces;
+  const Material& material =
+      scene_.materials[static_cast<std::size_t>(surfaces.material[met.lane])];
+  frames_.refine(met.hits, met.lane);
+  const double clock =
+      clock_at(places_[static_cast<std::size_t>(surfaces.object[met.lane])], met.hits, met.lane);
+  const Vec4f base_texel = texel(material.base_color_texture, met);
+  const float alpha = coverage(material, met, base_texel.w, clock, evaluator);
+  if (alpha <= 0.0F) return Vec4f(0);
   const Vec3f base =
-      evaluator(material.base_color, clock) * Vec3f(base_texel) * Vec3f(surface.color);
+      evaluator(material.base_color, clock) * Vec3f(base_texel) * Vec3f(surfaces.color[met.lane]);
   const Vec3f emission = evaluator(material.emission, clock) *
                          evaluator(material.emission_strength, clock) *
-                         Vec3f(texel(material.emission_texture, surface));
-  return {alpha * (base * (material.unlit ? 1.0F : surface.cosine) + emission), alpha};
+                         Vec3f(texel(material.emission_texture, met));
+  const Vec3f seen = base * (material.unlit ? 1.0F : surfaces.cosine[met.lane]) + emission;
+  return alpha * Vec4f(seen, 1.0F);
 }
 
-Preview::Shaded Preview::shade(const Surface& surface, HitPacket& hits, int lane,
-                               TemporalEvaluator& evaluator) const {
-  const Plain& plain = plain_[static_cast<std::size_t>(surface.material)];
-  Shaded shaded;
+inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const {
+  const SurfaceLanes& surfaces = met.surfaces;
+  const Plain& plain = plain_[static_cast<std::size_t>(surfaces.material[met.lane])];
+  Vec4f shaded(0);
   if (!plain.always) {
-    frames_.refine(hits, lane);
-    const ObjectPlace& place = places_[static_cast<std::size_t>(surface.object)];
-    shaded = shade_changing(surface, clock_at(place, hits, lane), evaluator);
-  } else if (!surface.back || plain.double_sided) {
-    const Vec3f base = plain.base_color * Vec3f(surface.color);
-    shaded = {base * (plain.unlit ? 1.0F : surface.cosine) + plain.emission, 1.0F};
+    shaded = shade_changing(met, evaluator);
+  } else if (surfaces.back[met.lane] == 0 || plain.double_sided) {
+    shaded = (plain.lit * surfaces.cosine[met.lane] + plain.unlit) * surfaces.color[met.lane] +
+             plain.emission;
   }
-  if (scene_.render.beaming) shaded.color *= beaming_factor(doppler_at(hits, lane));
+  if (scene_.render.beaming) {
+    const float factor = beaming_factor(doppler_at(met.hits, met.lane));
+    shaded *= Vec4f(factor, factor, factor, 1.0F);
+  }
   return shaded;
 }
 
-SurfaceData Preview::data_of(const Surface& surface, const RayPacket& rays, const HitPacket& hits,
-                             int lane) const {
-  const ObjectPlace& place = places_[static_cast<std::size_t>(surface.object)];
+SurfaceData Preview::data_of(const Met& met) const {
+  const int lane = met.lane;
+  frames_.refine(met.hits, lane);
+  const ObjectPlace& place = places_[static_cast<std::size_t>(met.surfaces.object[lane])];
   SurfaceData data;
   data.hit = true;
-  data.object = surface.object;
-  data.material = surface.material;
-  data.distance = hits.s[lane];
-  data.time_proper = clock_at(place, hits, lane);
-  data.time_world = rays.origin.t[lane] + hits.s[lane] * rays.k.t[lane];
-  data.doppler = doppler_at(hits, lane);
-  data.position = position_on_object(frames_, place, hits, lane);
-  data.normal = surface.normal;
-  data.uv = surface.uv[0];
+  data.object = met.surfaces.object[lane];
+  data.material = met.surfaces.material[lane];
+  data.distance = met.hits.s[lane];
+  data.time_proper = clock_at(place, met.hits, lane);
+  data.time_world = met.rays.origin.t[lane] + met.hits.s[lane] * met.rays.k.t[lane];
+  data.doppler = doppler_at(met.hits, lane);
+  data.position = position_on_object(frames_, place, met.hits, lane);
+  data.normal = Vec3(met.surfaces.normal.at(lane));
+  data.uv = uv_at(scene_, frames_, met.hits, lane, 0);
   return data;
 }
 
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
                     RadianceLanes& radiance, SurfaceDataLanes* data) const {
-  radiance = {};
+  radiance.fill(Vec4f(0));
   if (data != nullptr) data->fill({});
   HitPacket hits;
+  SurfaceLanes surfaces;
   bool passing = true;
   for (std::uint32_t layer = 0; passing && layer < most_layers; ++layer) {
     frames_.nearest(rays, hits);
+    surfaces_at(scene_, frames_, hits, rays.active, surfaces);
     passing = false;
     for (int lane = 0; lane < packet_size; ++lane) {
       if (rays.active[lane] == 0) continue;
       rays.active[lane] = 0;
       if (hits.frame[lane] < 0) continue;
-      const Surface surface = surface_at(scene_, frames_, hits, lane);
-      const Shaded shaded = shade(surface, hits, lane, evaluator);
-      composite(radiance, lane, shaded.color, shaded.alpha);
+      const Met met{rays, surfaces, hits, lane};
+      const Vec4f shaded = shade(met, evaluator);
+      radiance[lane] += (1.0F - radiance[lane].w) * shaded;  // behind what is in front
       if (data != nullptr && !(*data)[lane].hit &&
-          random_unit(id, lane, Dimension::opacity, layer) < shaded.alpha) {
-        frames_.refine(hits, lane);
-        (*data)[lane] = data_of(surface, rays, hits, lane);
+          random_unit(id, lane, Dimension::opacity, layer) < shaded.w) {
+        (*data)[lane] = data_of(met);
       }
-      if (1.0F - radiance.a[lane] < least_transmittance) {
-        radiance.a[lane] = 1.0F;
+      if (1.0F - radiance[lane].w < least_transmittance) {
+        radiance[lane].w = 1.0F;
       } else {
         rays.s_min[lane] = frames_.frame(hits.frame[lane]).s_behind(hits, lane);
         rays.active[lane] = -1;

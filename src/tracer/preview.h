@@ -20,27 +20,29 @@ class Preview {
              RadianceLanes& radiance, SurfaceDataLanes* data) const;
 
  private:
-  struct Shaded {
-    Vec3f color{0};  // premultiplied
-    float alpha = 0;
-  };
-  // What a material is in this integrator, as far as it never changes.
+  // What a material is in this integrator, as far as it never changes. Red, green, blue and coverage.
   struct Plain {
     bool always =
         false;  // the numbers below are all there is: no texture, no clock, no transparency
-    bool double_sided = false, unlit = false;
-    Vec3f base_color{0}, emission{0};
+    bool double_sided = false;
+    Vec4f lit{0}, unlit{0};  // base colour: times the cosine, and as it is
+    Vec4f emission{0};
   };
   static Plain plain(const Material& material);
 
-  Shaded shade(const Surface& surface, HitPacket& hits, int lane,
-               TemporalEvaluator& evaluator) const;
-  Shaded shade_changing(const Surface& surface, double clock, TemporalEvaluator& evaluator) const;
-  float coverage(const Material& material, const Surface& surface, float texture_alpha,
-                 double clock, TemporalEvaluator& evaluator) const;
-  Vec4f texel(const TextureUse& use, const Surface& surface) const;
-  SurfaceData data_of(const Surface& surface, const RayPacket& rays, const HitPacket& hits,
-                      int lane) const;
+  // One lane of what a packet met. Hits are refined where something depends on exactly when they are.
+  struct Met {
+    const RayPacket& rays;
+    const SurfaceLanes& surfaces;
+    HitPacket& hits;
+    int lane;
+  };
+  Vec4f shade(const Met& met, TemporalEvaluator& evaluator) const;
+  Vec4f shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
+  float coverage(const Material& material, const Met& met, float texture_alpha, double clock,
+                 TemporalEvaluator& evaluator) const;
+  Vec4f texel(const TextureUse& use, const Met& met) const;
+  SurfaceData data_of(const Met& met) const;
 
   const Scene& scene_;
   const FrameSet& frames_;

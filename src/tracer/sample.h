@@ -4,10 +4,8 @@
 
 namespace restframe {
 
-// What 16 samples saw: linear Rec. 709, premultiplied by coverage a.
-struct RadianceLanes {
-  Lanes<float> r, g, b, a;
-};
+// What 16 samples saw: linear Rec. 709 and coverage, premultiplied.
+using RadianceLanes = Lanes<Vec4f>;
 
 // What data layers say of one sample (design, section 7). Lengths in light-seconds.
 struct SurfaceData {

@@ -1,3 +1,6 @@
+// Lanes that hit the same part are done together: what differs between them is gathered, and the rest is
+// arithmetic over all 16 lanes. Coherent packets meet one to three parts.
+
 #include "tracer/surface.h"
 
 #include <cmath>
@@ -5,52 +8,159 @@
 namespace restframe {
 namespace {
 
-struct Weights {
-  float a, b, c;
+struct Placed {
+  const FramePart& part;
+  const Mesh& mesh;
+  const Object& object;
 };
 
-template <class T>
-T interpolated(const std::vector<T>& values, const Triangle& t, const Weights& w) {
-  return w.a * values[t[0]] + w.b * values[t[1]] + w.c * values[t[2]];
+Placed placed(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane) {
+  const FramePart& part = frames.frame(hits.frame[lane]).part(hits.part[lane]);
+  return {part, scene.meshes[static_cast<std::size_t>(part.mesh)],
+          scene.objects[static_cast<std::size_t>(part.object)]};
 }
 
-// A length of 0 comes from a degenerate triangle or normal: any direction does.
-Vec3f unit(const Vec3f& v) {
-  const float squared = glm::dot(v, v);
-  return squared > 0.0F ? v * (1.0F / std::sqrt(squared)) : Vec3f(0, 0, 1);
+// Which of the waiting lanes hit the same part as lane `first`; they no longer wait.
+Lanes<std::int32_t> take_group(const HitPacket& hits, int first, Lanes<std::int32_t>& waiting) {
+  const std::int32_t frame = hits.frame[first];
+  const std::uint32_t part = hits.part[first];
+  Lanes<std::int32_t> group;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const bool same = hits.frame[i] == frame && hits.part[i] == part;
+    group[i] = same ? waiting[i] : 0;
+    waiting[i] = same ? 0 : waiting[i];
+  }
+  return group;
+}
+
+// The triangle of each lane of the group; lanes outside repeat the first one's, which is safe to read.
+Lanes<const Triangle*> triangles_of(const Mesh& mesh, const HitPacket& hits, int first,
+                                    const Lanes<std::int32_t>& group) {
+  Lanes<const Triangle*> triangles;
+  for (int i = 0; i < packet_size; ++i) {
+    triangles[i] = &mesh.triangles[hits.triangle[group[i] != 0 ? i : first]];
+    __builtin_prefetch(triangles[i]);
+  }
+  return triangles;
+}
+
+// Normals of the triangles' corners.
+struct CornerNormals {
+  Vec3fLanes a, b, c;
+};
+
+void gather_normals(const Mesh& mesh, const Lanes<const Triangle*>& triangles,
+                    CornerNormals& corners) {
+  // All misses under way before the first is waited for.
+  for (const Triangle* t : triangles.lane) {
+    for (const std::uint32_t vertex : *t) __builtin_prefetch(&mesh.normals[vertex]);
+  }
+  for (int i = 0; i < packet_size; ++i) {
+    const Triangle& t = *triangles[i];
+    corners.a.set(i, mesh.normals[t[0]]);
+    corners.b.set(i, mesh.normals[t[1]]);
+    corners.c.set(i, mesh.normals[t[2]]);
+  }
+}
+
+// Normals in mesh coordinates, of any length.
+void interpolate(const CornerNormals& corners, const HitPacket& hits, Vec3fLanes& normal) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const float u = hits.bary_u[i];
+    const float v = hits.bary_v[i];
+    normal.set(i, (1.0F - u - v) * corners.a.at(i) + u * corners.b.at(i) + v * corners.c.at(i));
+  }
+}
+
+// Of any length, in rest-frame axes.
+void to_rest(const glm::mat3& rest_from_local, const Vec3fLanes& local, Vec3fLanes& rest) {
+  const glm::mat3 m = rest_from_local;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) rest.set(i, m * local.at(i));
+}
+
+// The least squared length that is not a degenerate normal's.
+constexpr float tiny = 1e-30F;
+
+// Facet and normal: of any length, in rest-frame axes, to the front.
+void orient(const Vec3fLanes& facet, const Vec3fLanes& normal, const Vec3fLanes& sight,
+            const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const bool in_group = group[i] != 0;
+    const float facing = glm::dot(facet.at(i), sight.at(i));
+    const float along = glm::dot(normal.at(i), sight.at(i));
+    const float squared = glm::dot(normal.at(i), normal.at(i));
+    const float inverse_length = 1.0F / std::sqrt(squared > tiny ? squared : tiny);
+    const float towards_ray = along > 0.0F ? -inverse_length : inverse_length;
+    surfaces.back[i] = in_group ? (facing > 0.0F ? 1 : 0) : surfaces.back[i];
+    surfaces.cosine[i] = in_group ? -along * towards_ray : surfaces.cosine[i];
+    surfaces.normal.x[i] = in_group ? normal.x[i] * towards_ray : surfaces.normal.x[i];
+    surfaces.normal.y[i] = in_group ? normal.y[i] * towards_ray : surfaces.normal.y[i];
+    surfaces.normal.z[i] = in_group ? normal.z[i] * towards_ray : surfaces.normal.z[i];
+  }
+}
+
+void assign_group(const Placed& placed, const Lanes<const Triangle*>& triangles,
+                  const HitPacket& hits, const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
+  for (int i = 0; i < packet_size; ++i) {
+    if (group[i] == 0) continue;
+    const int slot = material_slot(placed.mesh, hits.triangle[i]);
+    surfaces.object[i] = placed.part.object;
+    surfaces.material[i] = placed.object.materials[static_cast<std::size_t>(slot)];
+    surfaces.color[i] = Vec4f(1);
+    if (!placed.mesh.colors.empty()) {
+      const Triangle& t = *triangles[i];
+      const float u = hits.bary_u[i];
+      const float v = hits.bary_v[i];
+      surfaces.color[i] = (1.0F - u - v) * placed.mesh.colors[t[0]] + u * placed.mesh.colors[t[1]] +
+                          v * placed.mesh.colors[t[2]];
+    }
+  }
+}
+
+void shade_group(const Placed& placed, const HitPacket& hits, int first,
+                 const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
+  const Lanes<const Triangle*> triangles = triangles_of(placed.mesh, hits, first, group);
+  Vec3fLanes facet;
+  to_rest(placed.part.rest_from_facet_normal, hits.facet_normal, facet);
+  if (placed.mesh.normals.empty()) {
+    orient(facet, facet, hits.sight, group, surfaces);
+  } else {
+    CornerNormals corners;
+    gather_normals(placed.mesh, triangles, corners);
+    Vec3fLanes local, normal;
+    interpolate(corners, hits, local);
+    to_rest(placed.part.rest_from_mesh_normal, local, normal);
+    orient(facet, normal, hits.sight, group, surfaces);
+  }
+  assign_group(placed, triangles, hits, group, surfaces);
 }
 
 }  // namespace
 
-Surface surface_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane) {
-  const RestFrame& frame = frames.frame(hits.frame[lane]);
-  const FramePart& part = frame.part(hits.part[lane]);
-  const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
-  const Object& object = scene.objects[static_cast<std::size_t>(part.object)];
-  const std::uint32_t index = hits.triangle[lane];
-  const Triangle& triangle = mesh.triangles[index];
+void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
+                 const Lanes<std::int32_t>& active, SurfaceLanes& surfaces) {
+  Lanes<std::int32_t> waiting;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) waiting[i] = hits.frame[i] >= 0 ? active[i] : 0;
+  for (int first = 0; first < packet_size; ++first) {
+    if (waiting[first] == 0) continue;
+    const Lanes<std::int32_t> group = take_group(hits, first, waiting);
+    shade_group(placed(scene, frames, hits, first), hits, first, group, surfaces);
+  }
+}
+
+Vec2f uv_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane, int set) {
+  const Mesh& mesh = placed(scene, frames, hits, lane).mesh;
+  const std::vector<Vec2f>& uvs = mesh.uvs[static_cast<std::size_t>(set)];
+  if (uvs.empty()) return Vec2f(0);
+  const Triangle& t = mesh.triangles[hits.triangle[lane]];
   const float u = hits.bary_u[lane];
   const float v = hits.bary_v[lane];
-  const Weights weights{1.0F - u - v, u, v};
-
-  Surface surface;
-  surface.object = part.object;
-  surface.material = object.materials[static_cast<std::size_t>(material_slot(mesh, index))];
-  const Vec3f ray = unit(Vec3f(frame.rest_direction(hits.k.at(lane))));
-  const Vec3f facet = part.rest_from_facet_normal * hits.facet_normal.at(lane);
-  surface.back = glm::dot(facet, ray) > 0.0F;
-  const Vec3f normal =
-      mesh.normals.empty()
-          ? unit(facet)
-          : unit(part.rest_from_mesh_normal * interpolated(mesh.normals, triangle, weights));
-  const float along = glm::dot(normal, ray);
-  surface.normal = along > 0.0F ? -normal : normal;
-  surface.cosine = std::abs(along);
-  for (std::size_t set = 0; set < 2; ++set) {
-    if (!mesh.uvs[set].empty()) surface.uv[set] = interpolated(mesh.uvs[set], triangle, weights);
-  }
-  if (!mesh.colors.empty()) surface.color = interpolated(mesh.colors, triangle, weights);
-  return surface;
+  return (1.0F - u - v) * uvs[t[0]] + u * uvs[t[1]] + v * uvs[t[2]];
 }
 
 std::vector<ObjectPlace> object_places(const Scene& scene, const FrameSet& frames) {

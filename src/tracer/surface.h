@@ -1,24 +1,25 @@
 #pragma once
 
-#include <array>
-
 #include "frames/frame_set.h"
 #include "scene/scene.h"
 
 namespace restframe {
 
-// What a ray meets: the inputs of shading, in the object's rest frame.
-struct Surface {
-  int object = 0;
-  int material = 0;
-  Vec3f normal{0, 0, 1};  // shading normal, unit, towards the ray
-  float cosine = 1;       // between the ray and the shading normal, >= 0
-  bool back = false;      // met from behind
-  std::array<Vec2f, 2> uv{};
-  Vec4f color{1};  // of the vertices
+// What 16 rays meet: the inputs of shading, in each object's rest frame. Lanes without a hit mean nothing.
+struct SurfaceLanes {
+  Lanes<std::int32_t> object, material;
+  Vec3fLanes normal;         // shading normal, unit, towards the ray
+  Lanes<float> cosine;       // between the ray and the shading normal, >= 0
+  Lanes<std::int32_t> back;  // 1: met from behind
+  Lanes<Vec4f> color;        // of the vertices
 };
 
-Surface surface_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane);
+// For the active lanes that hit something.
+void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
+                 const Lanes<std::int32_t>& active, SurfaceLanes& surfaces);
+
+// Texture coordinates of a hit; 0 where the mesh has none.
+Vec2f uv_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane, int set);
 
 // Where an object's clock and origin are in its rest frame.
 struct ObjectPlace {

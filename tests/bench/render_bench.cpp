@@ -47,7 +47,8 @@ void bare(benchmark::State& state, Bench& bench) {
 
 void preview(benchmark::State& state, Bench& bench) {
   const RenderContext context{bench.scene, bench.integrator, bench.evaluators, {}};
-  for (auto _ : state) benchmark::DoNotOptimize(render_picture(context, 0));
+  Picture picture = blank_picture(bench.scene);
+  for (auto _ : state) render_picture(context, 0, picture);
   count_rays(state, bench);
 }
 

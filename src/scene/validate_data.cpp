@@ -1,0 +1,134 @@
+#include "scene/validate_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/message.h"
+
+namespace restframe {
+namespace {
+
+using Faults = std::vector<std::string>;
+
+// Embree loses triangles with coordinates beyond.
+constexpr float largest_coordinate = 1e15F;
+
+bool is_usable(const Vec3f& p) {
+  return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate &&
+         std::abs(p.z) <= largest_coordinate;  // false for NaN
+}
+
+template <class T>
+void check_attribute(const Mesh& mesh, const std::vector<T>& values, const char* what,
+                     Faults& faults) {
+  if (values.empty() || values.size() == mesh.positions.size()) return;
+  faults.push_back(message("mesh \"", mesh.name, "\" has ", values.size(), " ", what, " for ",
+                           mesh.positions.size(), " vertices"));
+}
+
+void check_ranges(const Mesh& mesh, Faults& faults) {
+  const std::string name = message("mesh \"", mesh.name, "\"");
+  const auto later = [](const MaterialRange& a, const MaterialRange& b) {
+    return a.first_triangle < b.first_triangle;
+  };
+  if (mesh.materials.empty() || mesh.materials.front().first_triangle != 0) {
+    faults.push_back(name + " has no material range that begins at triangle 0");
+  } else if (!std::is_sorted(mesh.materials.begin(), mesh.materials.end(), later)) {
+    faults.push_back(name + " has material ranges out of order");
+  }
+}
+
+void check_function(const Scene& scene, FunctionIndex function, const std::string& what,
+                    Faults& faults) {
+  if (function >= no_function && function < static_cast<int>(scene.functions.size())) return;
+  faults.push_back(
+      message(what, " refers to temporal function ", function, " of ", scene.functions.size()));
+}
+
+void check_number(const Scene& scene, const TemporalNumber& number, const std::string& what,
+                  Faults& faults) {
+  check_function(scene, number.function, what, faults);
+  if (!(number.value >= 0 && std::isfinite(number.value))) {
+    faults.push_back(message(what, " is ", number.value, ", must be at least 0 and finite"));
+  }
+}
+
+void check_color(const Scene& scene, const TemporalColor& color, const std::string& what,
+                 Faults& faults) {
+  check_function(scene, color.function, what, faults);
+  const Vec3f& v = color.value;
+  const auto good = [](float x) { return x >= 0 && std::isfinite(x); };
+  if (good(v.x) && good(v.y) && good(v.z)) return;
+  faults.push_back(
+      message(what, " is [", v.x, ", ", v.y, ", ", v.z, "], must be at least 0 and finite"));
+}
+
+void check_texture(const Scene& scene, const TextureUse& use, const std::string& what,
+                   Faults& faults) {
+  if (use.texture < -1 || use.texture >= static_cast<int>(scene.textures.size())) {
+    faults.push_back(
+        message(what, " refers to texture ", use.texture, " of ", scene.textures.size()));
+  }
+  if (use.uv_set != 0 && use.uv_set != 1) {
+    faults.push_back(message(what, " uses UV set ", use.uv_set, ", must be 0 or 1"));
+  }
+}
+
+}  // namespace
+
+void validate_mesh(const Mesh& mesh, Faults& faults) {
+  const std::string name = message("mesh \"", mesh.name, "\"");
+  const auto bad = std::find_if_not(mesh.positions.begin(), mesh.positions.end(), is_usable);
+  if (bad != mesh.positions.end()) {
+    faults.push_back(message(name, " vertex ", bad - mesh.positions.begin(), " is at [", bad->x,
+                             ", ", bad->y, ", ", bad->z, "], must be finite and within 1e15"));
+  }
+  const auto outside =
+      std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& corners) {
+        return *std::max_element(corners.begin(), corners.end()) >= mesh.positions.size();
+      });
+  if (outside != mesh.triangles.end()) {
+    faults.push_back(message(name, " triangle ", outside - mesh.triangles.begin(),
+                             " refers to a vertex beyond its ", mesh.positions.size()));
+  }
+  check_attribute(mesh, mesh.normals, "normals", faults);
+  check_attribute(mesh, mesh.uvs[0], "texture coordinates", faults);
+  check_attribute(mesh, mesh.uvs[1], "second texture coordinates", faults);
+  check_attribute(mesh, mesh.colors, "colours", faults);
+  check_ranges(mesh, faults);
+}
+
+void validate_materials(const Scene& scene, Faults& faults) {
+  for (const Material& material : scene.materials) {
+    const std::string name = message("material \"", material.name, "\": ");
+    check_color(scene, material.base_color, name + "base_color", faults);
+    check_color(scene, material.emission, name + "emission", faults);
+    check_number(scene, material.opacity, name + "opacity", faults);
+    check_number(scene, material.metallic, name + "metallic", faults);
+    check_number(scene, material.roughness, name + "roughness", faults);
+    check_number(scene, material.emission_strength, name + "emission_strength", faults);
+    check_texture(scene, material.base_color_texture, name + "base_color", faults);
+    check_texture(scene, material.metallic_roughness_texture, name + "roughness", faults);
+    check_texture(scene, material.emission_texture, name + "emission", faults);
+    if (!std::isfinite(material.alpha_cutoff))
+      faults.push_back(name + "alpha_cutoff is not finite");
+  }
+}
+
+void validate_textures(const Scene& scene, Faults& faults) {
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    const int image = scene.textures[i].image;
+    if (image >= 0 && image < static_cast<int>(scene.images.size())) continue;
+    faults.push_back(
+        message("texture ", i, " refers to image ", image, " of ", scene.images.size()));
+  }
+  for (const Image& image : scene.images) {
+    const bool positive = image.width > 0 && image.height > 0;
+    const std::size_t bytes = positive ? std::size_t{4} * image.width * image.height : 0;
+    if (positive && image.rgba.size() == bytes) continue;
+    faults.push_back(message("image \"", image.name, "\" has ", image.rgba.size(), " bytes for ",
+                             image.width, " x ", image.height, " pixels"));
+  }
+}
+
+}  // namespace restframe

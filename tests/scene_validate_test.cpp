@@ -1,0 +1,160 @@
+// validate() on scenes that a program built.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "scene/scene.h"
+
+namespace restframe {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+// A triangle of one textured material.
+Scene good_scene() {
+  Scene scene;
+  Mesh mesh;
+  mesh.name = "triangle";
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.uvs[0] = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.materials = {{0, 0}};
+  scene.meshes.push_back(mesh);
+  scene.images.push_back({"dot", 1, 1, {255, 255, 255, 255}});
+  scene.textures.push_back({});
+  scene.functions.push_back(IntervalFunction{1.0, {{0, 0.5, Vec3f(1)}}});
+  Material material;
+  material.name = "paint";
+  material.base_color_texture = {0, 0};
+  material.base_color.function = 0;
+  scene.materials.push_back(material);
+  Object object;
+  object.name = "thing";
+  object.parts.push_back({0, Mat4(1)});
+  object.materials = {0};
+  scene.objects.push_back(object);
+  scene.camera_given = true;
+  return scene;
+}
+
+// The faults after `spoil`.
+std::vector<std::string> faults(const std::function<void(Scene&)>& spoil) {
+  Scene scene = good_scene();
+  spoil(scene);
+  return validate(scene);
+}
+
+TEST(Validate, FindsNothingInAGoodScene) {
+  EXPECT_THAT(validate(good_scene()), IsEmpty());
+}
+
+TEST(Validate, AnEmptySceneHasNoObject) {
+  EXPECT_THAT(validate(Scene()), ElementsAre(HasSubstr("no object")));
+}
+
+TEST(Validate, Settings) {
+  const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
+    EXPECT_THAT(faults(spoil), ElementsAre(HasSubstr(words)));
+  };
+  one([](Scene& s) { s.light_speed = 0; }, "light_speed is 0");
+  one([](Scene& s) { s.light_speed = std::nan(""); }, "light_speed");
+  one([](Scene& s) { s.animation.rate = 0; }, "rate is 0");
+  one([](Scene& s) { s.animation.start = inf; }, "start");
+  one([](Scene& s) { s.animation.pictures = 0; }, "pictures is 0");
+  one([](Scene& s) { s.render.width = 0; }, "width is 0, must be from 1 to 32768");
+  one([](Scene& s) { s.render.height = 32769; }, "height is 32769");
+  one([](Scene& s) { s.render.samples = 0; }, "samples is 0, must be from 1 to 65536");
+  one([](Scene& s) { s.output.path = "a.png"; }, ".exr");
+  one([](Scene& s) { s.output.path = "a.exr", s.animation.pictures = 2; }, "run of #");
+  one([](Scene& s) { s.output.path = "#/#.exr"; }, "one run of #");
+  one([](Scene& s) { s.output.path = "out/.exr"; }, ".exr");
+  one([](Scene& s) { s.output.layers.clear(); }, "at least one");
+  one([](Scene& s) { s.output.layers = {Layer::z, Layer::z}; }, "repeat");
+}
+
+TEST(Validate, Camera) {
+  const auto one = [](const std::function<void(Camera&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { spoil(s.camera); }), ElementsAre(HasSubstr(words)));
+  };
+  one([](Camera& c) { c.vertical_fov = 0; }, "fov is 0");
+  one([](Camera& c) { c.vertical_fov = 3.2; }, "below 180");
+  one([](Camera& c) { c.worldline.reference.t = inf; }, "position and time");
+  one([](Camera& c) { c.worldline.velocity = Velocity::from_beta({0, 0, 1}); }, "|velocity|");
+  one([](Camera& c) { c.worldline.velocity = Velocity::from_beta({0, 0, 2}); }, "|velocity|");
+  one([](Camera& c) { c.aim = AimDirection{{0, 1, 0}}; }, "along up");
+  one([](Camera& c) { c.aim = AimDirection{{0, 0, 0}}; }, "direction");
+  one([](Camera& c) { c.aim = AimPoint{{0, inf, 0}}; }, "look_at");
+  EXPECT_THAT(faults([](Scene& s) { s.camera_given = false, s.camera.vertical_fov = 0; }),
+              IsEmpty())
+      << "a camera that is not given is not used";
+}
+
+TEST(Validate, Objects) {
+  const auto one = [](const std::function<void(Object&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { spoil(s.objects[0]); }), ElementsAre(HasSubstr(words)));
+  };
+  one([](Object& o) { o.worldline.reference.x.y = std::nan(""); }, "object \"thing\": position");
+  one([](Object& o) { o.worldline.velocity = Velocity::from_beta({0.8, 0.8, 0}); }, "|velocity|");
+  one([](Object& o) { o.clock = inf; }, "clock");
+  one([](Object& o) { o.parts[0].mesh = 1; }, "mesh 1 of 1");
+  one([](Object& o) { o.parts[0].mesh = -1; }, "mesh -1");
+  one([](Object& o) { o.parts[0].object_from_mesh[3].x = inf; }, "matrix");
+  one([](Object& o) { o.parts[0].object_from_mesh[1] = {0, 0, 0, 0}; }, "matrix");
+  one([](Object& o) { o.parts[0].object_from_mesh[0].w = 1; }, "matrix");
+  one([](Object& o) { o.materials = {1}; }, "material 1 of 1");
+  one([](Object& o) { o.materials = {}; }, "material slot 0");
+  EXPECT_THAT(faults([](Scene& s) { s.objects.push_back(s.objects[0]); }),
+              ElementsAre(HasSubstr("two objects are object \"thing\"")));
+}
+
+TEST(Validate, Meshes) {
+  const auto one = [](const std::function<void(Mesh&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { spoil(s.meshes[0]); }), ElementsAre(HasSubstr(words)));
+  };
+  one([](Mesh& m) { m.positions[1].z = std::nanf(""); }, "vertex 1");
+  one([](Mesh& m) { m.positions[2].x = 1e16F; }, "1e15");
+  one([](Mesh& m) { m.triangles[0][2] = 3; }, "triangle 0 refers to a vertex beyond its 3");
+  one([](Mesh& m) { m.normals = {{0, 0, 1}}; }, "1 normals for 3 vertices");
+  one([](Mesh& m) { m.uvs[1] = {{0, 0}}; }, "second texture coordinates");
+  one([](Mesh& m) { m.colors.resize(2); }, "2 colours");
+  one([](Mesh& m) { m.materials.clear(); }, "no material range");
+  one([](Mesh& m) { m.materials = {{0, 0}, {2, 0}, {1, 0}}; }, "out of order");
+}
+
+TEST(Validate, MaterialsTexturesAndFunctions) {
+  const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
+    EXPECT_THAT(faults(spoil), ElementsAre(HasSubstr(words)));
+  };
+  one([](Scene& s) { s.materials[0].base_color.function = 1; }, "temporal function 1 of 1");
+  one([](Scene& s) { s.materials[0].base_color.value.y = std::nanf(""); }, "base_color");
+  one([](Scene& s) { s.materials[0].emission.value.x = -1; }, "emission");
+  one([](Scene& s) { s.materials[0].opacity.value = std::nanf(""); }, "opacity");
+  one([](Scene& s) { s.materials[0].base_color_texture.texture = 1; }, "texture 1 of 1");
+  one([](Scene& s) { s.materials[0].base_color_texture.uv_set = 2; }, "UV set 2");
+  one([](Scene& s) { s.textures[0].image = 1; }, "image 1 of 1");
+  one([](Scene& s) { s.images[0].rgba.pop_back(); }, "3 bytes");
+  one([](Scene& s) { s.images[0].width = 0; }, "0 x 1");
+  one([](Scene& s) { std::get<IntervalFunction>(s.functions[0]).period = 0; }, "period is 0");
+  one([](Scene& s) { s.functions[0] = FormulaFunction{{"t="}, {}, {}}; }, "temporal function 0");
+}
+
+TEST(Validate, ListsEveryFault) {
+  EXPECT_EQ(faults([](Scene& s) {
+              s.light_speed = -1;
+              s.render.samples = -1;
+              s.objects[0].clock = inf;
+              s.meshes[0].triangles[0][0] = 9;
+            }).size(),
+            4U);
+}
+
+}  // namespace
+}  // namespace restframe
