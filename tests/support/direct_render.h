@@ -11,7 +11,9 @@ inline Picture first_picture(const Scene& scene) {
   const FrameSet frames(scene, thread_count());
   const Preview integrator(scene, frames);
   EvaluatorPool evaluators(scene.functions);
-  return render_picture({scene, integrator, evaluators, {}}, 0);
+  Picture picture = blank_picture(scene);
+  render_picture({scene, integrator, evaluators, {}}, 0, picture);
+  return picture;
 }
 
 // The values of a channel, by its name in the EXR; times in full. Throws std::out_of_range.
