@@ -106,9 +106,9 @@ int info(const InfoOptions& options, const ImportLimits& limits) {
   for (const RestFrame& frame : frames.frames()) print_frame(scene, frame, ++number);
   print_materials(scene);
   const auto megabytes = [](std::size_t count) { return static_cast<double>(count) * 1e-6; };
-  fmt::print("memory: meshes {:.1f} MB, images {:.1f} MB, Embree {:.1f} MB\n",
+  fmt::print("memory: meshes {:.1f} MB, images {:.1f} MB, Embree {:.1f} MB ({:.1f} MB to build)\n",
              megabytes(mesh_bytes(scene)), megabytes(image_bytes(scene)),
-             megabytes(frames.embree_bytes()));
+             megabytes(frames.embree_bytes()), megabytes(frames.peak_embree_bytes()));
   return 0;
 }
 

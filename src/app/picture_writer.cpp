@@ -12,11 +12,16 @@ void PictureWriter::write(std::filesystem::path path, const Picture& picture, Pi
   finish();
   pending_ = std::async(std::launch::async, [preview = preview_, path = std::move(path), &picture,
                                              info = std::move(info)] {
-    // The preview first: where the EXR is, all of the picture is.
-    if (preview && picture.has_beauty()) {
-      write_png(std::filesystem::path(path).replace_extension(".png"), picture);
+    const auto png = std::filesystem::path(path).replace_extension(".png");
+    // The preview first: where the EXR is, all of the picture is. Neither without the other.
+    if (preview && picture.has_beauty()) write_png(png, picture);
+    try {
+      return write_exr(path, picture, info);
+    } catch (...) {
+      std::error_code ignored;
+      if (preview) std::filesystem::remove(png, ignored);
+      throw;
     }
-    return write_exr(path, picture, info);
   });
 }
 

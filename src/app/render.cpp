@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 
 #include "app/commands.h"
 #include "app/messages.h"
@@ -69,7 +69,7 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
   const RenderContext context{scene, integrator, evaluators,
                               [&](std::size_t samples) { progress.samples_done(samples); }};
   // One is rendered while the other is written.
-  std::array pictures{blank_picture(scene), blank_picture(scene)};
+  std::vector<Picture> pictures(std::min<std::size_t>(numbers.size(), 2), blank_picture(scene));
   PictureWriter writer(scene.output.preview);
   std::size_t current = 0;
   for (const int number : numbers) {
@@ -77,7 +77,7 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
     writer.write(picture_path(scene.output.path, number, single), pictures[current],
                  picture_info(scene, number));
     progress.picture_done();
-    current = 1 - current;
+    current = (current + 1) % pictures.size();
   }
   writer.finish();
   if (writer.clamped_values() > 0) {

@@ -88,14 +88,16 @@ std::vector<float> float_times(const std::vector<double>& times, double origin) 
   return result;
 }
 
-// The beauty within the range of what it is stored in.
-std::vector<Vec4f> clamped(const std::vector<Vec4f>& rgba, float largest, std::size_t& changed) {
-  std::vector<Vec4f> result(rgba);
-  for (Vec4f& pixel : result) {
+// The beauty in the type in which it is stored, within that type's range.
+template <class Stored>
+std::vector<Stored> stored_beauty(const Picture& picture, float largest, std::size_t& changed) {
+  std::vector<Stored> result;
+  result.reserve(4 * picture.rgba().size());
+  for (const Vec4f& pixel : picture.rgba()) {
     for (int i = 0; i < 4; ++i) {
       const float value = std::isnan(pixel[i]) ? 0.0F : glm::clamp(pixel[i], -largest, largest);
       if (value != pixel[i]) ++changed;
-      pixel[i] = value;
+      result.emplace_back(value);
     }
   }
   return result;
@@ -111,6 +113,14 @@ void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const char* name
   buffer.insert(name, Imf::Slice(type, base, stride, stride * static_cast<std::size_t>(width)));
 }
 
+template <class Stored>
+void add_beauty(Imf::Header& header, Imf::FrameBuffer& buffer, Imf::PixelType type,
+                const std::vector<Stored>& rgba, int width) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    add_channel(header, buffer, beauty_channels[i], type, &rgba[i], 4 * sizeof(Stored), width);
+  }
+}
+
 void encode(const Picture& picture, const PictureInfo& info, MemoryStream& stream,
             WriteReport& report) {
   const std::pair origins{time_origin(picture, ChannelKind::time_proper),
@@ -118,23 +128,14 @@ void encode(const Picture& picture, const PictureInfo& info, MemoryStream& strea
   Imf::Header header = exr_header(picture, info, origins);
   Imf::FrameBuffer buffer;
   const int width = picture.width();
-  const float largest = info.float_beauty ? std::numeric_limits<float>::max() : HALF_MAX;
-  const std::vector<Vec4f> rgba = clamped(picture.rgba(), largest, report.clamped);
   std::vector<half> halves;
-  if (picture.has_beauty() && !info.float_beauty) {
-    halves.reserve(4 * rgba.size());
-    for (const Vec4f& pixel : rgba) {
-      for (int i = 0; i < 4; ++i) halves.emplace_back(pixel[i]);
-    }
-  }
-  for (int i = 0; picture.has_beauty() && i < 4; ++i) {
-    if (info.float_beauty) {
-      add_channel(header, buffer, beauty_channels[i], Imf::FLOAT, &rgba[0][i], sizeof(Vec4f),
-                  width);
-    } else {
-      add_channel(header, buffer, beauty_channels[i], Imf::HALF,
-                  &halves[static_cast<std::size_t>(i)], 4 * sizeof(half), width);
-    }
+  std::vector<float> floats;
+  if (picture.has_beauty() && info.float_beauty) {
+    floats = stored_beauty<float>(picture, std::numeric_limits<float>::max(), report.clamped);
+    add_beauty(header, buffer, Imf::FLOAT, floats, width);
+  } else if (picture.has_beauty()) {
+    halves = stored_beauty<half>(picture, HALF_MAX, report.clamped);
+    add_beauty(header, buffer, Imf::HALF, halves, width);
   }
   std::vector<std::vector<float>> times;
   times.reserve(picture.channels().size());

@@ -14,11 +14,6 @@ void on_error(void*, RTCError code, const char* words) {
   if (code != RTC_ERROR_NONE && last_words.empty()) last_words = words;
 }
 
-bool on_memory(void* bytes, ssize_t change, bool) {
-  *static_cast<std::atomic<std::ptrdiff_t>*>(bytes) += change;
-  return true;
-}
-
 std::string device_options([[maybe_unused]] int threads) {
 #ifdef RESTFRAME_THREADS_ONLY
   return "threads=1,set_affinity=0";
@@ -32,7 +27,15 @@ std::string device_options([[maybe_unused]] int threads) {
 EmbreeDevice::EmbreeDevice(int threads) : device_(rtcNewDevice(device_options(threads).c_str())) {
   if (device_ == nullptr) throw OutputError("Embree can not start on this machine");
   rtcSetDeviceErrorFunction(device_, on_error, nullptr);
-  rtcSetDeviceMemoryMonitorFunction(device_, on_memory, &bytes_);
+  rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &memory_);
+}
+
+bool EmbreeDevice::count_memory(void* memory, ssize_t change, bool) {
+  auto& counted = *static_cast<Memory*>(memory);
+  const std::ptrdiff_t now = counted.now += change;
+  std::ptrdiff_t peak = counted.peak;
+  while (now > peak && !counted.peak.compare_exchange_weak(peak, now)) continue;
+  return true;
 }
 
 EmbreeDevice::~EmbreeDevice() {

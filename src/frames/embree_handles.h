@@ -49,11 +49,16 @@ class EmbreeDevice {
   // Throws OutputError with Embree's words if anything failed since the last call.
   void check() const;
 
-  std::size_t bytes_in_use() const { return static_cast<std::size_t>(bytes_.load()); }
+  std::size_t bytes_in_use() const { return static_cast<std::size_t>(memory_.now.load()); }
+  std::size_t peak_bytes() const { return static_cast<std::size_t>(memory_.peak.load()); }
 
  private:
   RTCDevice device_ = nullptr;
-  std::atomic<std::ptrdiff_t> bytes_{0};
+  struct Memory {
+    std::atomic<std::ptrdiff_t> now{0}, peak{0};
+  } memory_;
+
+  static bool count_memory(void* memory, ssize_t change, bool post);
 };
 
 // A scene of still geometry, not yet committed.

@@ -24,7 +24,9 @@ class FrameSet {
 
   std::span<const RestFrame> frames() const { return frames_; }
   const RestFrame& frame(int index) const { return frames_[static_cast<std::size_t>(index)]; }
+  // What Embree holds, and the most that it held while building.
   std::size_t embree_bytes() const { return device_.bytes_in_use(); }
+  std::size_t peak_embree_bytes() const { return device_.peak_bytes(); }
 
  private:
   EmbreeDevice device_;

@@ -36,6 +36,16 @@ std::vector<Vec3f> baked_positions(const Mat4& to, std::span<const Vec3f> positi
   return result;
 }
 
+// Whether directions of one octant have images of one octant: a scaling, with axes exchanged or mirrored.
+bool keeps_octants(const Mat3& linear) {
+  for (int row = 0; row < 3; ++row) {
+    int entries = 0;
+    for (int column = 0; column < 3; ++column) entries += linear[column][row] != 0.0 ? 1 : 0;
+    if (entries != 1) return false;
+  }
+  return true;
+}
+
 EmbreeGeometry instance_geometry(const EmbreeDevice& device, RTCScene instanced, const Mat4& to) {
   EmbreeGeometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
   rtcSetGeometryInstancedScene(geometry.get(), instanced);
@@ -103,6 +113,7 @@ void RestFrame::build_many(const EmbreeDevice& device, std::span<const Traversab
     EmbreeGeometry geometry;
     if (uses_of_mesh[static_cast<std::size_t>(part.mesh)] > 1) {
       part.instanced = true;
+      octants_hold_ = octants_hold_ && keeps_octants(Mat3(part.traversal_from_local));
       part.positions = mesh.positions();
       geometry = instance_geometry(device, mesh.scene.get(), part.traversal_from_local);
     } else {

@@ -164,8 +164,8 @@ void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits)
   narrow(local, query);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                         : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  context.flags = octants_hold_ && share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                          : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect16(&local.active[0], traversed_, &context, &query);
   keep_hits(local, query, own_index, hits);
 }

@@ -1,8 +1,11 @@
 #include "bench_scene.h"
 
 #include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
 
-#include "scene/generators.h"
+#include "importers/importers.h"
 #include "scene/parallel.h"
 #include "tracer/film_samples.h"
 #include "tracer/null_ray.h"
@@ -39,6 +42,18 @@ Scene bench_scene_at_rest() {
 
 Scene bench_scene_moving() {
   return bench_scene({0.3, 0.4, 1.0}, Velocity::from_beta({0, 0, 0.99}));
+}
+
+BenchFile::BenchFile() {
+  std::string name = (std::filesystem::temp_directory_path() / "restframe-bench-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("can not create " + name);
+  folder_ = name;
+  write_lattice(LatticeSettings{}, InstanceMode::none, glb());
+}
+
+BenchFile::~BenchFile() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
 }
 
 std::vector<RTCRayHit16> bare_packets(const Scene& scene, const FrameSet& frames) {

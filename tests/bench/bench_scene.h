@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "frames/frame_set.h"
 #include "scene/scene.h"
 
@@ -11,6 +14,21 @@ Scene bench_scene_at_rest();
 
 // The same at 0.99c, the camera inside the lattice.
 Scene bench_scene_moving();
+
+// The bench lattice as a flat GLB, in a folder of its own that goes away with it.
+class BenchFile {
+ public:
+  BenchFile();
+  BenchFile(const BenchFile&) = delete;
+  BenchFile& operator=(const BenchFile&) = delete;
+  ~BenchFile();
+
+  const std::string& folder() const { return folder_; }
+  std::string glb() const { return folder_ + "/lattice.glb"; }
+
+ private:
+  std::string folder_;
+};
 
 // Beauty's primary rays of a scene of one rest frame, as floats in that frame's traversal coordinates, a
 // packet a 4 x 4 block of pixels. What the renderer hands to Embree, without the work of getting there.
