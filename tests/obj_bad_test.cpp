@@ -123,9 +123,9 @@ TEST_F(BadObj, Limits) {
 }
 
 TEST_F(BadObj, NotARegularFile) {
-  EXPECT_THAT(fault_at(files_.path() / "missing.obj"), HasSubstr("can not be opened"));
+  EXPECT_THAT(fault_at(files_.path() / "missing.obj"), HasSubstr(": no such file"));
   std::filesystem::create_directory(files_.path() / "folder.obj");
-  EXPECT_EQ(fault_at(files_.path() / "folder.obj"), ": is not a regular file");
+  EXPECT_EQ(fault_at(files_.path() / "folder.obj"), ": is a folder, not a regular file");
   ASSERT_EQ(mkfifo((files_.path() / "fifo.obj").c_str(), 0600), 0);
   EXPECT_EQ(fault_at(files_.path() / "fifo.obj"), ": is not a regular file");
 }

@@ -1,11 +1,12 @@
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 
-#include "scene/message.h"
 #include "scene/output_pattern.h"
 #include "scene/validate_data.h"
 
@@ -14,18 +15,14 @@ namespace {
 
 using Faults = std::vector<std::string>;
 
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void check_positive(double value, const char* what, Faults& faults) {
   if (value > 0 && std::isfinite(value)) return;
-  faults.push_back(message(what, " is ", value, ", must be above 0 and finite"));
+  faults.push_back(fmt::format("{} is {}, must be above 0 and finite", what, value));
 }
 
 void check_count(int value, int low, int high, const char* what, Faults& faults) {
   if (value >= low && value <= high) return;
-  faults.push_back(message(what, " is ", value, ", must be from ", low, " to ", high));
+  faults.push_back(fmt::format("{} is {}, must be from {} to {}", what, value, low, high));
 }
 
 void check_worldline(const Worldline& worldline, const std::string& name, Faults& faults) {
@@ -42,7 +39,7 @@ void check_camera(const Camera& camera, Faults& faults) {
   const double fov = camera.vertical_fov;
   if (!(fov > 0 && fov < std::numbers::pi)) {
     faults.push_back(
-        message("camera: fov is ", glm::degrees(fov), ", must be above 0 and below 180"));
+        fmt::format("camera: fov is {}, must be above 0 and below 180", glm::degrees(fov)));
   }
   if (!is_finite(camera.up) || !(glm::length(camera.up) > 0)) {
     faults.push_back("camera: up must be finite and of a length above 0");
@@ -77,9 +74,7 @@ void check_settings(const Scene& scene, Faults& faults) {
 
 bool is_usable(const Mat4& matrix) {
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      if (!std::isfinite(matrix[column][row])) return false;
-    }
+    if (!is_finite(matrix[column])) return false;
   }
   const bool affine = matrix[0].w == 0 && matrix[1].w == 0 && matrix[2].w == 0 && matrix[3].w == 1;
   return affine && glm::determinant(Mat3(matrix)) != 0;
@@ -88,8 +83,8 @@ bool is_usable(const Mat4& matrix) {
 void check_slots(const Object& object, const Mesh& mesh, const std::string& name, Faults& faults) {
   for (const MaterialRange& range : mesh.materials) {
     if (range.slot >= 0 && range.slot < static_cast<int>(object.materials.size())) continue;
-    faults.push_back(message(name, ": mesh \"", mesh.name, "\" uses material slot ", range.slot,
-                             ", the object has ", object.materials.size()));
+    faults.push_back(fmt::format("{}: mesh \"{}\" uses material slot {}, the object has {}", name,
+                                 mesh.name, range.slot, object.materials.size()));
     return;
   }
 }
@@ -99,14 +94,16 @@ void check_parts(const Scene& scene, const Object& object, const std::string& na
   std::set<int> checked;
   for (const PlacedMesh& part : object.parts) {
     if (part.mesh < 0 || part.mesh >= static_cast<int>(scene.meshes.size())) {
-      faults.push_back(message(name, " refers to mesh ", part.mesh, " of ", scene.meshes.size()));
+      faults.push_back(
+          fmt::format("{} refers to mesh {} of {}", name, part.mesh, scene.meshes.size()));
       continue;
     }
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
     if (checked.insert(part.mesh).second) check_slots(object, mesh, name, faults);
     if (is_usable(part.object_from_mesh)) continue;
-    faults.push_back(message(name, ": mesh \"", mesh.name,
-                             "\" is placed by a matrix that is not finite, affine and regular"));
+    faults.push_back(
+        fmt::format("{}: mesh \"{}\" is placed by a matrix that is not finite, affine and regular",
+                    name, mesh.name));
   }
 }
 
@@ -114,7 +111,7 @@ void check_objects(const Scene& scene, Faults& faults) {
   if (scene.objects.empty()) faults.push_back("there is no object, must be at least one");
   std::set<std::string> names;
   for (const Object& object : scene.objects) {
-    const std::string name = message("object \"", object.name, "\"");
+    const std::string name = fmt::format("object \"{}\"", object.name);
     if (!names.insert(object.name).second) faults.push_back("two objects are " + name);
     check_worldline(object.worldline, name, faults);
     if (!std::isfinite(object.clock)) faults.push_back(name + ": clock must be finite");
@@ -122,7 +119,7 @@ void check_objects(const Scene& scene, Faults& faults) {
     for (const int material : object.materials) {
       if (material >= 0 && material < static_cast<int>(scene.materials.size())) continue;
       faults.push_back(
-          message(name, " refers to material ", material, " of ", scene.materials.size()));
+          fmt::format("{} refers to material {} of {}", name, material, scene.materials.size()));
     }
   }
 }
@@ -139,7 +136,7 @@ std::vector<std::string> validate(const Scene& scene) {
   validate_textures(scene, faults);
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     for (const std::string& fault : temporal_faults(scene.functions[i])) {
-      faults.push_back(message("temporal function ", i, ": ", fault));
+      faults.push_back(fmt::format("temporal function {}: {}", i, fault));
     }
   }
   return faults;
