@@ -52,15 +52,12 @@ void parse_sizes(const std::string& option, const std::string& text, std::vector
 PictureRange parse_range(const std::string& text) {
   PictureRange range;
   const char* end = text.data() + text.size();
-  auto [stop, fault] = std::from_chars(text.data(), end, range.first);
+  std::from_chars_result read = std::from_chars(text.data(), end, range.first);
   range.last = range.first;
-  if (fault == std::errc{} && stop != end && *stop == '-') {
-    std::tie(stop, fault) = [&] {
-      const auto result = std::from_chars(stop + 1, end, range.last);
-      return std::pair(result.ptr, result.ec);
-    }();
+  if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '-') {
+    read = std::from_chars(read.ptr + 1, end, range.last);
   }
-  if (fault != std::errc{} || stop != end || range.first < 0 || range.last < range.first) {
+  if (read.ec != std::errc{} || read.ptr != end || range.first < 0 || range.last < range.first) {
     throw InputError(fmt::format("--pictures: \"{}\" is neither a number nor FIRST-LAST", text));
   }
   return range;
