@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include "scene/error.h"
 #include "scene/message.h"
 #include "scene/output_pattern.h"
 #include "scene/validate_data.h"
@@ -14,8 +15,16 @@ namespace {
 
 using Faults = std::vector<std::string>;
 
+// Light-seconds and seconds beyond which squares and products could overflow.
+constexpr double farthest = 1e100;
+
 bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_near(const Event<in::World>& e) {
+  return std::abs(e.t) <= farthest && std::abs(e.x.x) <= farthest && std::abs(e.x.y) <= farthest &&
+         std::abs(e.x.z) <= farthest;  // false for NaN
 }
 
 void check_positive(double value, const char* what, Faults& faults) {
@@ -29,8 +38,8 @@ void check_count(int value, int low, int high, const char* what, Faults& faults)
 }
 
 void check_worldline(const Worldline& worldline, const std::string& name, Faults& faults) {
-  if (!is_finite(worldline.reference)) {
-    faults.push_back(name + ": position and time must be finite");
+  if (!is_near(worldline.reference)) {
+    faults.push_back(name + ": position and time must be finite and within 1e100 light-seconds");
   }
   if (!is_finite(worldline.velocity.gamma_beta()) || !std::isfinite(worldline.velocity.gamma())) {
     faults.push_back(name + ": |velocity| must be below 1");
@@ -58,6 +67,18 @@ void check_camera(const Camera& camera, Faults& faults) {
   }
 }
 
+// A moving camera may pass the point that it looks at.
+void check_poses(const Scene& scene, Faults& faults) {
+  for (int picture = 0; picture < scene.animation.pictures; ++picture) {
+    try {
+      pose_at(scene.camera, scene.animation.start + picture / scene.animation.rate);
+    } catch (const InputError& error) {
+      faults.push_back(message("picture ", picture, ": ", error.what()));
+      return;
+    }
+  }
+}
+
 void check_settings(const Scene& scene, Faults& faults) {
   check_positive(scene.light_speed, "light_speed", faults);
   check_positive(scene.animation.rate, "animation: rate", faults);
@@ -78,7 +99,7 @@ void check_settings(const Scene& scene, Faults& faults) {
 bool is_usable(const Mat4& matrix) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
-      if (!std::isfinite(matrix[column][row])) return false;
+      if (!(std::abs(matrix[column][row]) <= farthest)) return false;
     }
   }
   const bool affine = matrix[0].w == 0 && matrix[1].w == 0 && matrix[2].w == 0 && matrix[3].w == 1;
@@ -105,8 +126,9 @@ void check_parts(const Scene& scene, const Object& object, const std::string& na
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
     if (checked.insert(part.mesh).second) check_slots(object, mesh, name, faults);
     if (is_usable(part.object_from_mesh)) continue;
-    faults.push_back(message(name, ": mesh \"", mesh.name,
-                             "\" is placed by a matrix that is not finite, affine and regular"));
+    faults.push_back(
+        message(name, ": mesh \"", mesh.name,
+                "\" is placed by a matrix that is not affine, regular, and within 1e100"));
   }
 }
 
@@ -137,6 +159,7 @@ std::vector<std::string> validate(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);
   validate_materials(scene, faults);
   validate_textures(scene, faults);
+  if (scene.camera_given && faults.empty()) check_poses(scene, faults);
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     for (const std::string& fault : temporal_faults(scene.functions[i])) {
       faults.push_back(message("temporal function ", i, ": ", fault));
