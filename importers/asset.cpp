@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "importers/importers.h"
-#include "importers/input_file.h"
 #include "scene/error.h"
+#include "scene/file_names.h"
 
 namespace restframe {
 
@@ -14,9 +14,6 @@ Asset load_asset(const Path& path, const ImportLimits& limits, Warnings& warning
         fmt::format("{}: the extension is \"{}\", must be .gltf, .glb or .obj (or .toml for "
                     "a scene file)",
                     path.string(), extension));
-  }
-  if (const auto fault = input_file_fault(path)) {
-    throw InputError(fmt::format("{}: {}", path.string(), *fault));
   }
   return is_gltf ? load_gltf(path, limits, warnings) : load_obj(path, limits, warnings);
 }

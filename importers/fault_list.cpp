@@ -5,23 +5,16 @@
 #include <algorithm>
 #include <tuple>
 
+#include "scene/message.h"
+
 namespace restframe {
-namespace {
-
-// Keys and texts of the file may hold line breaks; a fault is one line.
-std::string on_one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
-  }
-  return text;
-}
-
-}  // namespace
 
 void FaultList::add(TextPosition at, const std::string& what) {
-  if (is_full()) return;
-  faults_.push_back(
-      {at, on_one_line(fmt::format("{}:{}:{}: {}", file_, at.line, at.column, what))});
+  if (!is_full()) faults_.push_back({at, located(at, what)});
+}
+
+std::string FaultList::located(TextPosition at, const std::string& what) const {
+  return on_one_line(fmt::format("{}:{}:{}: {}", file_, at.line, at.column, what));
 }
 
 void FaultList::add(TextPosition at, const InputError& error) {

@@ -19,6 +19,9 @@ class FaultList {
   // Those of another file that is named at `at`; they have positions of their own.
   void add(TextPosition at, const InputError& error);
 
+  // "FILE:LINE:COLUMN: what"
+  std::string located(TextPosition at, const std::string& what) const;
+
   bool empty() const { return faults_.empty(); }
 
   // Throws InputError with every fault, in the file's order, if there is any.

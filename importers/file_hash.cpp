@@ -4,12 +4,12 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include <fstream>
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <vector>
 
-#include "scene/error.h"
+#include "importers/input_file.h"
 
 namespace restframe {
 namespace {
@@ -27,12 +27,14 @@ std::string hexadecimal(XXH128_hash_t hash) {
 std::string file_hash(const std::filesystem::path& path) {
   const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
   if (!state || XXH3_128bits_reset(state.get()) != XXH_OK) throw std::bad_alloc();
-  std::ifstream in(path, std::ios::binary);
+  InputFile file(path, path.string());
   std::vector<char> block(1 << 20);
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
-    XXH3_128bits_update(state.get(), block.data(), static_cast<std::size_t>(in.gcount()));
+  for (std::size_t left = file.size(); left > 0;) {
+    const std::size_t count = std::min(left, block.size());
+    file.read(block.data(), count);
+    XXH3_128bits_update(state.get(), block.data(), count);
+    left -= count;
   }
-  if (!in.eof()) throw InputError(path.string() + ": can not be read");
   return hexadecimal(XXH3_128bits_digest(state.get()));
 }
 

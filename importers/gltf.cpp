@@ -102,7 +102,8 @@ Asset assemble(const GltfContext& context, const tinygltf::Model& model,
 }  // namespace
 
 Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings) {
-  const GltfContext context{path, path.string(), limits, warnings};
+  std::set<Path> files;
+  const GltfContext context{path, path.string(), limits, warnings, files};
   GltfContainer container = read_container(context);
   Json document = parse_gltf_json(context, container.json);
   container.json = {};
@@ -110,7 +111,9 @@ Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings
   const std::vector<ImageSource> images = take_image_sources(document);
   std::vector<Bytes> buffers = read_buffers(context, document, std::move(container.bin));
   const tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
-  return assemble(context, model, images);
+  Asset asset = assemble(context, model, images);
+  asset.files = std::move(files);
+  return asset;
 }
 
 }  // namespace restframe

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <set>
 
+#include "scene/message.h"
+
 namespace restframe {
 namespace {
 
@@ -21,7 +23,7 @@ Version read_version(const Place& place) {
   Version version;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%3d.%3d%c", &version.major, &version.minor, &rest) != 2) {
-    place.fault("is " + in_quotes(text) + ", must be like \"2.0\"");
+    place.fault("is " + quote(text) + ", must be like \"2.0\"");
   }
   return version;
 }
@@ -55,7 +57,7 @@ void check_extensions(const Place& document) {
     for (std::size_t i = 0; i < required.size(); ++i) {
       const Place name = required.element(i);
       if (!is_supported(name.as_string())) {
-        name.fault("extension " + in_quotes(name.as_string()) + " is required but not supported");
+        name.fault("extension " + quote(name.as_string()) + " is required but not supported");
       }
     }
   }
@@ -67,7 +69,7 @@ void check_extensions(const Place& document) {
     const Place place = used.element(i);
     const std::string name = place.as_string();
     if (is_supported(name) || !warned.insert(name).second) continue;
-    document.context().warn(place.pointer(), "extension " + in_quotes(name) + " is left out");
+    document.context().warn(place.pointer(), "extension " + quote(name) + " is left out");
   }
 }
 

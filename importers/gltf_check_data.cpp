@@ -2,6 +2,7 @@
 
 #include "importers/gltf_check.h"
 #include "importers/gltf_layout.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -90,7 +91,7 @@ void check_accessor(const Place& accessor, const Place& document) {
   }
   const std::string type = accessor.member("type").as_string();
   const std::size_t size = element_size(component, type);
-  if (size == 0) accessor.member("type").fault("is " + in_quotes(type) + ", must be like \"VEC3\"");
+  if (size == 0) accessor.member("type").fault("is " + quote(type) + ", must be like \"VEC3\"");
   const std::uint64_t count = accessor.integer("count", 1, most_count, 0);
   accessor.check_boolean("normalized");
   const Run run{count, size, component_size(component), end_padding(component, type)};

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "importers/gltf_check.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -60,7 +61,7 @@ void check_material(const Place& material, const Place& document) {
     const Place mode = material.member("alphaMode");
     const std::string name = mode.as_string();
     if (name != "OPAQUE" && name != "MASK" && name != "BLEND") {
-      mode.fault("is " + in_quotes(name) + ", must be OPAQUE, MASK or BLEND");
+      mode.fault("is " + quote(name) + ", must be OPAQUE, MASK or BLEND");
     }
   }
   material.check_number("alphaCutoff", 0, 1e15);

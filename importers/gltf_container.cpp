@@ -3,6 +3,8 @@
 #include <array>
 #include <cstring>
 
+#include "importers/input_file.h"
+
 namespace restframe {
 namespace {
 
@@ -39,7 +41,7 @@ struct Chunk {
   std::uint32_t size = 0, type = 0;
 };
 
-Chunk read_chunk_header(const GltfContext& context, RegularFile& file, std::size_t left) {
+Chunk read_chunk_header(const GltfContext& context, InputFile& file, std::size_t left) {
   if (left < chunk_header_size) {
     context.fault("",
                   "GLB ends within a chunk header, " + bytes_text(left) + " after the last chunk");
@@ -67,7 +69,7 @@ void check_chunk_order(const GltfContext& context, const Chunk& chunk, int numbe
   }
 }
 
-GltfContainer read_glb(const GltfContext& context, RegularFile& file, std::size_t left) {
+GltfContainer read_glb(const GltfContext& context, InputFile& file, std::size_t left) {
   GltfContainer container;
   for (int number = 0; number == 0 || left > 0; ++number) {
     const Chunk chunk = read_chunk_header(context, file, left);
@@ -92,13 +94,10 @@ GltfContainer read_glb(const GltfContext& context, RegularFile& file, std::size_
 }  // namespace
 
 GltfContainer read_container(const GltfContext& context) {
-  RegularFile file(context, context.path, "");
+  InputFile file(context.path, context.file);
   const std::size_t size = file.size();
   if (size == 0) context.fault("", "the file is empty");
-  if (size > context.limits.total_bytes) {
-    context.fault("", "file of " + bytes_text(size) + ", the limit is " +
-                          bytes_text(context.limits.total_bytes));
-  }
+  file.check_size(context.limits.total_bytes);
   std::array<std::uint8_t, header_size> header{};
   const std::size_t begun = std::min(size, header_size);
   file.read(header.data(), begun);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "importers/importers.h"
@@ -12,13 +13,13 @@ struct GltfContext {
   std::string file;  // the path as messages show it
   const ImportLimits& limits;
   Warnings& warnings;
+  std::set<Path>& files;  // those read so far, besides the file itself
 
-  // Throws InputError "FILE:POINTER: what"; an empty pointer means the file as a whole.
+  // "FILE:POINTER"; an empty pointer means the file as a whole.
+  std::string place(const std::string& pointer) const;
+  // Throws InputError "FILE:POINTER: what".
   [[noreturn]] void fault(const std::string& pointer, const std::string& what) const;
   void warn(const std::string& pointer, const std::string& what) const;
 };
-
-// Text from a file in quotation marks, cut if it is long.
-std::string in_quotes(const std::string& text);
 
 }  // namespace restframe

@@ -1,13 +1,11 @@
 #include "importers/gltf_files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
+
+#include "importers/asset_file.h"
+#include "importers/input_file.h"
+#include "scene/file_names.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -40,32 +38,23 @@ bool has_scheme(const std::string& name) {
   return colon != std::string::npos && colon < name.find('/');
 }
 
-bool leaves(const Path& relative) {
-  return relative.is_absolute() || (!relative.empty() && *relative.begin() == "..");
-}
-
-// The real path of the file that `uri` names, inside the asset's folder even after symbolic links.
-Path resolve(const GltfContext& context, const std::string& pointer, const std::string& uri) {
+// The file in the asset's folder that `uri` names.
+Path find_file(const GltfContext& context, const std::string& pointer, const std::string& uri) {
   std::string name;
-  if (!percent_decode(uri, name)) context.fault(pointer, "malformed % in URI " + in_quotes(uri));
+  if (!percent_decode(uri, name)) context.fault(pointer, "malformed % in URI " + quote(uri));
   if (name.empty()) context.fault(pointer, "URI is empty");
-  if (name.find('\0') != std::string::npos) context.fault(pointer, "NUL in URI " + in_quotes(uri));
+  if (name.find('\0') != std::string::npos) context.fault(pointer, "NUL in URI " + quote(uri));
   if (name.find('\\') != std::string::npos) {
-    context.fault(pointer, "backslash in URI " + in_quotes(uri) + "; separate folders with /");
+    context.fault(pointer, "backslash in URI " + quote(uri) + "; separate folders with /");
   }
   if (has_scheme(name)) {
-    context.fault(pointer, "URI " + in_quotes(uri) + " is neither a relative path nor data:");
+    context.fault(pointer, "URI " + quote(uri) + " is neither a relative path nor data:");
   }
-  const std::string outside = "URI " + in_quotes(uri) + " leaves the asset's folder";
-  if (leaves(Path(name).lexically_normal())) context.fault(pointer, outside);
-
-  std::error_code error;
-  const Path parent = context.path.parent_path();
-  const Path folder = std::filesystem::canonical(parent.empty() ? Path(".") : parent, error);
-  const Path real = std::filesystem::canonical(folder / name, error);
-  if (error) context.fault(pointer, "can not find file " + in_quotes(uri) + ": " + error.message());
-  if (leaves(real.lexically_relative(folder))) context.fault(pointer, outside);
-  return real;
+  const Path folder = folder_of(context.path);
+  const std::string what = context.place(pointer) + ": URI " + quote(uri);
+  const std::optional<Path> file = find_asset_file(folder, folder, name, what);
+  if (!file) context.fault(pointer, "can not find file " + quote(uri));
+  return *file;
 }
 
 constexpr std::array<std::int8_t, 256> make_base64_values() {
@@ -112,60 +101,26 @@ Bytes read_data_uri(const GltfContext& context, const std::string& pointer, cons
   const std::size_t comma = uri.find(',');
   if (comma == std::string::npos || comma < marker.size() ||
       uri.compare(comma - marker.size(), marker.size(), marker) != 0) {
-    context.fault(pointer, "data URI " + in_quotes(uri) + " is not ;base64,");
+    context.fault(pointer, "data URI " + quote(uri) + " is not ;base64,");
   }
   if ((uri.size() - comma) / 4 > limit / 3) {
     context.fault(pointer, "data URI holds more than " + std::to_string(limit) + " bytes");
   }
   Bytes bytes;
   if (!decode_base64(uri, comma + 1, bytes)) {
-    context.fault(pointer, "malformed base64 in data URI " + in_quotes(uri));
+    context.fault(pointer, "malformed base64 in data URI " + quote(uri));
   }
   return bytes;
 }
 
 }  // namespace
 
-RegularFile::RegularFile(const GltfContext& context, const Path& path, const std::string& pointer)
-    : context_(context), pointer_(pointer) {
-  const std::string shown = pointer.empty() ? "can not read it" : "can not read " + path.string();
-  struct stat status {};
-  descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-  if (descriptor_ < 0) context.fault(pointer, shown + ": " + std::strerror(errno));
-  if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
-    ::close(descriptor_);
-    context.fault(pointer, shown + ": not a regular file");
-  }
-  size_ = static_cast<std::size_t>(status.st_size);
-}
-
-RegularFile::~RegularFile() {
-  ::close(descriptor_);
-}
-
-void RegularFile::read(void* bytes, std::size_t count) {
-  auto* target = static_cast<std::uint8_t*>(bytes);
-  while (count > 0) {
-    const ssize_t got = ::read(descriptor_, target, std::min(count, std::size_t{1} << 30));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) context_.fault(pointer_, std::string("can not read on: ") + std::strerror(errno));
-    if (got == 0) context_.fault(pointer_, "the file ends early");
-    target += got;
-    count -= static_cast<std::size_t>(got);
-  }
-}
-
 Bytes read_uri(const GltfContext& context, const std::string& pointer, const std::string& uri,
                std::size_t limit) {
   if (uri.rfind("data:", 0) == 0) return read_data_uri(context, pointer, uri, limit);
-  RegularFile file(context, resolve(context, pointer, uri), pointer);
-  if (file.size() > limit) {
-    context.fault(pointer, "file of " + std::to_string(file.size()) + " bytes, the limit is " +
-                               std::to_string(limit));
-  }
-  Bytes bytes(file.size());
-  file.read(bytes.data(), bytes.size());
-  return bytes;
+  const Path file = find_file(context, pointer, uri);
+  context.files.insert(file);
+  return read_input_file<Bytes>(file, limit, context.place(pointer));
 }
 
 }  // namespace restframe

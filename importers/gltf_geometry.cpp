@@ -6,20 +6,9 @@
 namespace restframe {
 namespace {
 
-constexpr float farthest = 1e15F;
-
-bool within(float x) {
-  return std::abs(x) <= farthest;
-}  // false for NaN
-
-bool within(const Vec2f& v) {
-  return within(v.x) && within(v.y);
-}
-bool within(const Vec3f& v) {
-  return within(v.x) && within(v.y) && within(v.z);
-}
-bool within(const Vec4f& v) {
-  return within(Vec3f(v)) && within(v.w);
+template <class Element>
+bool within(const Element& element) {
+  return is_within(element, static_cast<float>(largest_coordinate));
 }
 
 // The first element that is not within bounds, or the size.
@@ -28,8 +17,7 @@ std::size_t first_outside(const std::vector<Element>& elements) {
   bool all_within = true;
   for (const Element& element : elements) all_within &= within(element);
   if (all_within) return elements.size();
-  const auto outside = std::find_if_not(elements.begin(), elements.end(),
-                                        [](const Element& element) { return within(element); });
+  const auto outside = std::find_if_not(elements.begin(), elements.end(), within<Element>);
   return static_cast<std::size_t>(outside - elements.begin());
 }
 
@@ -103,19 +91,6 @@ void mend_normals(const PrimitivePlace& place, Mesh& mesh) {
                      std::to_string(bad) + " normals without a direction were recomputed");
 }
 
-namespace {
-
-template <class Element>
-void keep(std::vector<Element>& elements, const std::vector<std::uint32_t>& kept) {
-  if (elements.empty()) return;
-  std::vector<Element> left;
-  left.reserve(kept.size() + 1);
-  for (const std::uint32_t old : kept) left.push_back(elements[old]);
-  elements = std::move(left);
-}
-
-}  // namespace
-
 void drop_unused_vertices(Mesh& mesh) {
   constexpr std::uint32_t unused = 0xFFFFFFFF;
   std::vector<std::uint32_t> renumbered(mesh.positions.size(), unused);
@@ -129,25 +104,10 @@ void drop_unused_vertices(Mesh& mesh) {
     kept.push_back(i);
   }
   if (kept.size() == renumbered.size()) return;
-  keep(mesh.positions, kept);
-  keep(mesh.normals, kept);
-  for (auto& uvs : mesh.uvs) keep(uvs, kept);
-  keep(mesh.colors, kept);
+  take_vertices(mesh, kept, mesh);
   for (Triangle& triangle : mesh.triangles) {
     for (std::uint32_t& vertex : triangle) vertex = renumbered[vertex];
   }
-}
-
-std::size_t count_degenerate(const Mesh& mesh) {
-  std::size_t count = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3f& a = mesh.positions[t[0]];
-    const Vec3f ab = mesh.positions[t[1]] - a, ac = mesh.positions[t[2]] - a;
-    // Products of float differences in double: nothing underflows to a false zero.
-    const Vec3 normal = glm::cross(Vec3(ab), Vec3(ac));
-    count += normal == Vec3(0);
-  }
-  return count;
 }
 
 }  // namespace restframe

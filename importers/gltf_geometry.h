@@ -30,7 +30,4 @@ void mend_normals(const PrimitivePlace& place, Mesh& mesh);
 // Removes vertices that no triangle uses: primitives often share one long list.
 void drop_unused_vertices(Mesh& mesh);
 
-// Triangles without area.
-std::size_t count_degenerate(const Mesh& mesh);
-
 }  // namespace restframe

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "scene/message.h"
+
 namespace restframe {
 namespace {
 
@@ -46,8 +48,7 @@ class Builder : public nlohmann::json_sax<Json> {
     if (skipped_depth_ > 0) return true;
     Json& object = *open_.back();
     skip_next_ = key == "extras";
-    if (object.contains(key))
-      context_.fault(pointer(), "key " + in_quotes(key) + " is there twice");
+    if (object.contains(key)) context_.fault(pointer(), "key " + quote(key) + " is there twice");
     key_ = std::move(key);
     return true;
   }

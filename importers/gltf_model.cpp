@@ -12,6 +12,8 @@
 
 #include <algorithm>
 
+#include "scene/message.h"
+
 namespace restframe {
 namespace {
 
@@ -74,7 +76,7 @@ tinygltf::Model parse_model(const GltfContext& context, Json document, std::vect
                                                  static_cast<unsigned>(text.size()), "");
   if (!parsed || !errors.empty()) {
     std::replace(errors.begin(), errors.end(), '\n', ' ');
-    context.fault("", "tinygltf can not read it: " + in_quotes(errors));
+    context.fault("", "tinygltf can not read it: " + quote(errors));
   }
   for (const std::size_t accessor : without_view) model.accessors[accessor].bufferView = -1;
   return model;

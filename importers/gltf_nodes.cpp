@@ -61,12 +61,9 @@ std::vector<int> root_nodes(const tinygltf::Model& model) {
   return roots;
 }
 
-// Finite, and nothing beyond 1e15.
 bool is_bounded(const Mat4& matrix) {
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      if (!(std::abs(matrix[column][row]) <= 1e15)) return false;
-    }
+    if (!is_within(matrix[column], largest_coordinate)) return false;
   }
   return true;
 }

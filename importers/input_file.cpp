@@ -1,52 +1,96 @@
 #include "importers/input_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <cctype>
-#include <fstream>
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
 
 #include "scene/error.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
 
 namespace fs = std::filesystem;
 
+std::string unreadable(const std::error_code& error) {
+  return "can not be read: " + error.message();
+}
+
+std::string unreadable() {
+  return unreadable({errno, std::generic_category()});
+}
+
+// Devices are not even opened: some act on it.
+std::optional<std::string> kind_fault(const fs::path& path) {
+  std::error_code error;
+  switch (fs::status(path, error).type()) {
+    case fs::file_type::regular:
+      return std::nullopt;
+    case fs::file_type::not_found:
+      return "no such file";
+    case fs::file_type::directory:
+      return "is a folder, not a regular file";
+    case fs::file_type::none:
+      return unreadable(error);
+    default:
+      return "is not a regular file";
+  }
+}
+
+int open_to_read(const fs::path& path) {
+  return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+}
+
 }  // namespace
 
+InputFile::InputFile(const fs::path& path, std::string at) : at_(std::move(at)) {
+  if (const auto fault = kind_fault(path)) fail(*fault);
+  descriptor_ = open_to_read(path);
+  if (descriptor_ < 0) fail(unreadable());
+  // The path may have come to name something else since.
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
+    ::close(descriptor_);
+    fail("is not a regular file");
+  }
+  size_ = static_cast<std::size_t>(status.st_size);
+}
+
+InputFile::~InputFile() {
+  ::close(descriptor_);
+}
+
+void InputFile::check_size(std::size_t limit) const {
+  if (size_ > limit) fail(fmt::format("file of {} bytes, the limit is {} bytes", size_, limit));
+}
+
+void InputFile::read(void* bytes, std::size_t count) {
+  auto* target = static_cast<char*>(bytes);
+  while (count > 0) {
+    const ssize_t got = ::read(descriptor_, target, std::min(count, std::size_t{1} << 30));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail(unreadable());
+    if (got == 0) fail("the file ends early");
+    target += got;
+    count -= static_cast<std::size_t>(got);
+  }
+}
+
+void InputFile::fail(const std::string& reason) const {
+  throw InputError(on_one_line(at_ + ": " + reason));
+}
+
 std::optional<std::string> input_file_fault(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) return "no such file";
-  if (status.type() == fs::file_type::directory) return "is a folder, must be a file";
-  if (status.type() == fs::file_type::none) return "can not be read: " + error.message();
-  if (status.type() != fs::file_type::regular) return "is not a regular file";
-  if (!std::ifstream(path, std::ios::binary)) return "can not be read, see its permissions";
+  if (auto fault = kind_fault(path)) return fault;
+  const int descriptor = open_to_read(path);
+  if (descriptor < 0) return unreadable();
+  ::close(descriptor);
   return std::nullopt;
-}
-
-std::string read_input_file(const fs::path& path, std::size_t limit) {
-  if (const auto fault = input_file_fault(path)) {
-    throw InputError(fmt::format("{}: {}", path.string(), *fault));
-  }
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > limit) {
-    throw InputError(
-        fmt::format("{}: the file has {} bytes, must have at most {}", path.string(), size, limit));
-  }
-  std::string text(error ? 0 : static_cast<std::size_t>(size), '\0');
-  std::ifstream in(path, std::ios::binary);
-  if (error || !in.read(text.data(), static_cast<std::streamsize>(text.size()))) {
-    throw InputError(path.string() + ": can not be read");
-  }
-  return text;
-}
-
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
 }
 
 }  // namespace restframe

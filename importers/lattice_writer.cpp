@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include "importers/importers.h"
 #include "importers/obj_writer.h"
 #include "scene/error.h"
+#include "scene/file_names.h"
 #include "scene/lattice_layout.h"
 
 namespace restframe {
@@ -15,13 +15,6 @@ namespace {
 
 // More make files that other programs hardly open.
 constexpr std::uint64_t most_nodes = 100'000;
-
-std::string lower_extension(const Path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 GlbWriter glb_of(const Asset& asset) {
   GlbWriter glb("lattice");

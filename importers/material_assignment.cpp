@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "importers/material_change.h"
+#include "scene/message.h"
 #include "scene/suggest.h"
 
 namespace restframe {
@@ -230,9 +231,10 @@ void Assignment::assign(int object) {
 void Assignment::warn_of_unseen_changes() {
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     if (seen_changes_.count(static_cast<int>(i)) > 0) continue;
-    file_.warnings.push_back(fmt::format(
-        "{}:{}:{}: material \"{}\" is on no object: every slot that has it uses another",
-        file_.path.string(), changes_[i].at.line, changes_[i].at.column, changes_[i].name));
+    file_.warnings.push_back(file_.faults.located(
+        changes_[i].at,
+        fmt::format("material {} is on no object: every slot that has it uses another",
+                    quote(changes_[i].name))));
   }
 }
 

@@ -14,15 +14,6 @@ void add_material(Mesh& mesh, std::size_t triangle, int slot) {
   mesh.materials.push_back({static_cast<std::uint32_t>(triangle), slot});
 }
 
-template <class T>
-std::vector<T> picked(const std::vector<T>& all, const Indices& which) {
-  std::vector<T> result;
-  if (all.empty()) return result;
-  result.reserve(which.size() + 1);
-  for (const std::uint32_t i : which) result.push_back(all[i]);
-  return result;
-}
-
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
 // The triangles `which` of `whole`. `renumbered` holds `none` for every vertex, before and after.
@@ -42,10 +33,7 @@ Mesh part_of(const TaggedMesh& whole, const Indices& which, Indices& renumbered)
     result.triangles.push_back(triangle);
   }
   for (const std::uint32_t vertex : vertices) renumbered[vertex] = none;
-  result.positions = picked(whole.mesh.positions, vertices);
-  result.normals = picked(whole.mesh.normals, vertices);
-  for (std::size_t i = 0; i < 2; ++i) result.uvs[i] = picked(whole.mesh.uvs[i], vertices);
-  result.colors = picked(whole.mesh.colors, vertices);
+  take_vertices(whole.mesh, vertices, result);
   return result;
 }
 

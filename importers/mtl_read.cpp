@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
-#include "importers/asset_file.h"
 #include "importers/text_lines.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {

@@ -6,13 +6,13 @@
 #include <charconv>
 #include <cmath>
 
-#include "importers/asset_file.h"
 #include "scene/error.h"
+#include "scene/mesh.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
 
-constexpr double greatest_number = 1e15;
 constexpr std::size_t most_libraries = 1000;
 constexpr std::size_t most_keywords = 16;  // unused ones that get a warning each
 
@@ -87,7 +87,7 @@ void ObjChecker::read_numbers(std::string_view& line, std::string_view rest) {
     }
     double number = 0;
     if (!read_number(word, number)) file_.fail(word, number_fault(word));
-    if (std::abs(number) > greatest_number) {
+    if (std::abs(number) > largest_coordinate) {
       file_.fail(word, fmt::format("{} is beyond the limit of 1e15", quote(word)));
     }
     numbers_.push_back(number);

@@ -12,6 +12,8 @@
 #include "importers/mtl_read.h"
 #include "importers/obj_texture.h"
 #include "importers/text_lines.h"
+#include "scene/file_names.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -27,10 +29,15 @@ Material grey_material(const std::string& name) {
   return result;
 }
 
+std::optional<Path> find_library(const Path& folder, const ObjLibrary& library,
+                                 const std::string& name) {
+  return find_asset_file(folder, folder, name, library.at + ": " + quote(name));
+}
+
 // The names of an mtllib statement: the whole is one file if there is such a file, else spaces
 // divide, but for those after a backslash.
 std::vector<std::string> library_names(const ObjLibrary& library, const Path& folder) {
-  if (find_asset_file(folder, folder, library.names, library.at)) return {library.names};
+  if (find_library(folder, library, library.names)) return {library.names};
   std::vector<std::string> result;
   std::string_view rest = library.names;
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
@@ -46,14 +53,14 @@ std::vector<std::string> library_names(const ObjLibrary& library, const Path& fo
 }
 
 std::vector<MtlMaterial> read_libraries(const ObjData& data, const Path& path,
-                                        const ImportLimits& limits, Warnings& warnings) {
+                                        const ImportLimits& limits, std::set<Path>& read,
+                                        Warnings& warnings) {
   const Path folder = folder_of(path);
   std::vector<MtlMaterial> result;
-  std::set<Path> read;
   std::set<std::string> missing;
   for (const ObjLibrary& library : data.libraries) {
     for (const std::string& name : library_names(library, folder)) {
-      const std::optional<Path> file = find_asset_file(folder, folder, name, library.at);
+      const std::optional<Path> file = find_library(folder, library, name);
       if (file) {
         if (read.insert(*file).second) read_mtl(*file, limits, result, warnings);
       } else if (missing.insert(name).second) {
@@ -129,7 +136,8 @@ void warn_of_unknown(const std::vector<std::string>& names, const Path& path, Wa
 
 std::vector<int> add_obj_materials(const ObjData& data, const Path& path,
                                    const ImportLimits& limits, Asset& asset, Warnings& warnings) {
-  const std::vector<MtlMaterial> sources = read_libraries(data, path, limits, warnings);
+  const std::vector<MtlMaterial> sources =
+      read_libraries(data, path, limits, asset.files, warnings);
   std::map<std::string, const MtlMaterial*> by_name;
   for (const MtlMaterial& source : sources) {
     if (by_name.emplace(source.name, &source).second) continue;

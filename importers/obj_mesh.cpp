@@ -107,14 +107,6 @@ void complete_normals(Mesh& mesh) {
   }
 }
 
-std::uint64_t count_degenerate(const Mesh& mesh) {
-  const auto corner = [&](std::uint32_t vertex) { return Vec3(mesh.positions[vertex]); };
-  return static_cast<std::uint64_t>(
-      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-        return glm::cross(corner(t[1]) - corner(t[0]), corner(t[2]) - corner(t[0])) == Vec3(0);
-      }));
-}
-
 // Runs of each object, in the order of the file.
 std::vector<std::vector<std::size_t>> runs_by_object(const ObjData& data) {
   std::vector<std::vector<std::size_t>> result(static_cast<std::size_t>(data.objects));

@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "importers/asset_file.h"
+#include "importers/input_file.h"
 #include "scene/error.h"
+#include "scene/file_names.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -44,9 +47,9 @@ TextureUse ObjTextures::use(const MtlMaterial& source, const char* key, const st
     return {};
   }
   if (has_unused_options(options)) warn(source, key, "options -o, -s, -t and -mm are not used");
-  const std::string at =
-      fmt::format("{}: material {}: {}", source.file.string(), quote(source.name), key);
-  const std::optional<Path> file = find_asset_file(root_, folder_of(source.file), name, at);
+  const std::string what = fmt::format("{}: material {}: {}: {}", source.file.string(),
+                                       quote(source.name), key, quote(name));
+  const std::optional<Path> file = find_asset_file(root_, folder_of(source.file), name, what);
   if (!file) {
     warn(source, key, fmt::format("image {} does not exist, not used", quote(name)));
     return {};
@@ -66,9 +69,9 @@ int ObjTextures::image(const Path& file) {
   const auto known = images_.find(file);
   if (known != images_.end()) return known->second;
   const std::string name = file.string();
-  const std::string bytes = read_regular_file(file, limits_.total_bytes, name);
-  asset_.images.push_back(
-      decode_image(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), name, limits_));
+  const auto bytes = read_input_file<std::vector<std::uint8_t>>(file, limits_.total_bytes, name);
+  asset_.images.push_back(decode_image(bytes, name, limits_));
+  asset_.files.insert(file);
   bytes_ += asset_.images.back().rgba.size();
   if (bytes_ > limits_.total_bytes) {
     throw InputError(fmt::format("{}: all images need more than {} bytes, the limit", name,

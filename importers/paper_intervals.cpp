@@ -113,7 +113,7 @@ void PaperReader::read_line(const std::vector<Word>& words) {
 }  // namespace
 
 IntervalFunction read_paper_intervals(const std::filesystem::path& path, const ValueRule& rule) {
-  const std::string text = read_input_file(path, largest_file);
+  const std::string text = read_input_file(path, largest_file, path.string());
   FaultList faults(path.string());
   const Reporter report{faults, ""};
   PaperReader reader(rule, report);

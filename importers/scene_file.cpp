@@ -7,8 +7,8 @@
 #include "importers/file_hash.h"
 #include "importers/input_file.h"
 #include "importers/material_assignment.h"
-#include "importers/referred_files.h"
 #include "importers/toml_text.h"
+#include "scene/file_names.h"
 
 namespace restframe {
 namespace {
@@ -26,7 +26,8 @@ void check_whole(const Scene& scene, const Path& path) {
 
 Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& warnings) {
   SceneFile file(path, limits, warnings);
-  const std::string text = read_input_file(path, std::min(limits.json_bytes, largest_scene_file));
+  const std::string text =
+      read_input_file(path, std::min(limits.json_bytes, largest_scene_file), path.string());
   const ConfigTable table = parse_toml(text, path.string());
   add_source(file.scene, path.filename().string(), path);
   TableReader root(table, {file.faults, ""});
@@ -45,8 +46,9 @@ Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& wa
 // The asset as one object at rest at the world's origin.
 Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
   Scene scene;
-  SceneAsset asset = add_asset(scene, load_asset(path, limits, warnings));
-  add_source(scene, path.filename().string(), path);
+  Asset read = load_asset(path, limits, warnings);
+  add_asset_sources(scene, path.filename().string(), path, read);
+  SceneAsset asset = add_asset(scene, std::move(read));
   Object object;
   object.name = path.stem().string();
   object.parts = std::move(asset.parts);
@@ -65,16 +67,18 @@ Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& w
 }  // namespace
 
 void add_source(Scene& scene, const std::string& name, const Path& path) {
-  const auto known = [&](const std::string& other) {
-    return std::any_of(scene.sources.begin(), scene.sources.end(),
-                       [&](const SourceFile& source) { return source.name == other; });
-  };
-  if (!known(name)) scene.sources.push_back({name, file_hash(path)});
-  for (const std::string& referred : referred_files(path)) {
-    const std::string its_name = (Path(name).parent_path() / referred).generic_string();
-    if (!known(its_name)) {
-      scene.sources.push_back({its_name, file_hash(path.parent_path() / referred)});
-    }
+  const auto has_name = [&](const SourceFile& source) { return source.name == name; };
+  if (std::any_of(scene.sources.begin(), scene.sources.end(), has_name)) return;
+  scene.sources.push_back({name, file_hash(path)});
+}
+
+void add_asset_sources(Scene& scene, const std::string& name, const Path& path,
+                       const Asset& asset) {
+  add_source(scene, name, path);
+  const Path folder = std::filesystem::canonical(folder_of(path));
+  for (const Path& file : asset.files) {
+    const Path its_name = Path(name).parent_path() / file.lexically_relative(folder);
+    add_source(scene, its_name.generic_string(), file);
   }
 }
 

@@ -82,5 +82,7 @@ std::optional<Vec3> read_direction(TableReader& table, const std::string& key);
 
 // Notes a file that went into the scene. Throws InputError if it can not be read.
 void add_source(Scene& scene, const std::string& name, const Path& path);
+// Likewise an asset's file, and all that it was read from besides.
+void add_asset_sources(Scene& scene, const std::string& name, const Path& path, const Asset& asset);
 
 }  // namespace restframe

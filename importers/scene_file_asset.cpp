@@ -48,7 +48,7 @@ std::optional<int> read_asset_file(TableReader& object, SceneFile& file) {
   const Path canonical = std::filesystem::weakly_canonical(path, ignored);
   return shared_asset(file, at, "file " + canonical.string(), object.report, [&] {
     Asset asset = load_asset(path, file.limits, file.warnings);
-    add_source(file.scene, *name, path);
+    add_asset_sources(file.scene, *name, path, asset);
     return asset;
   });
 }

@@ -159,6 +159,8 @@ std::optional<Property> read_property(TableReader& table, const std::string& key
   reader.finish();
   if (!function) return std::nullopt;
   file.scene.functions.push_back(std::move(*function));
+  file.scene.function_places.push_back(
+      file.faults.located(reader.place("formula"), reader.report.name));
   return static_cast<FunctionIndex>(file.scene.functions.size()) - 1;
 }
 

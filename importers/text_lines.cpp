@@ -9,8 +9,9 @@
 #include <cstring>
 #include <utility>
 
-#include "importers/asset_file.h"
+#include "importers/input_file.h"
 #include "scene/error.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -30,7 +31,7 @@ bool has_huge_exponent(std::string_view word) {
 }  // namespace
 
 TextFile::TextFile(std::filesystem::path path, std::size_t limit)
-    : path_(std::move(path)), bytes_(read_regular_file(path_, limit, path_.string())) {
+    : path_(std::move(path)), bytes_(read_input_file(path_, limit, path_.string())) {
   check_encoding();
 }
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "importers/importers.h"
-#include "obj_files.h"
 #include "scene/error.h"
+#include "support/temporary_folder.h"
 
 namespace restframe {
 namespace {
@@ -37,7 +37,7 @@ class BadObj : public testing::Test {
     }
   }
 
-  ObjFiles files_;
+  TemporaryFolder files_;
 };
 
 TEST_F(BadObj, Indices) {
@@ -101,7 +101,7 @@ TEST_F(BadObj, NothingToRender) {
   EXPECT_EQ(fault_of(""), ": nothing to render: no faces");
   EXPECT_EQ(fault_of(triangle + "p 1 2 3\nl 1 2\n"), ": nothing to render: no faces");
   Warnings warnings;
-  EXPECT_THROW(load_obj(files_.path("bad.obj"), {}, warnings), InputError);
+  EXPECT_THROW(load_obj(files_.path() / "bad.obj", {}, warnings), InputError);
   EXPECT_THAT(warnings, testing::Contains(HasSubstr("points are not renderable")));
   EXPECT_THAT(warnings, testing::Contains(HasSubstr("lines are not renderable")));
 }
@@ -123,28 +123,28 @@ TEST_F(BadObj, Limits) {
 }
 
 TEST_F(BadObj, NotARegularFile) {
-  EXPECT_THAT(fault_at(files_.path("missing.obj")), HasSubstr("can not be opened"));
-  std::filesystem::create_directory(files_.path("folder.obj"));
-  EXPECT_EQ(fault_at(files_.path("folder.obj")), ": is not a regular file");
-  ASSERT_EQ(mkfifo(files_.path("fifo.obj").c_str(), 0600), 0);
-  EXPECT_EQ(fault_at(files_.path("fifo.obj")), ": is not a regular file");
+  EXPECT_THAT(fault_at(files_.path() / "missing.obj"), HasSubstr(": no such file"));
+  std::filesystem::create_directory(files_.path() / "folder.obj");
+  EXPECT_EQ(fault_at(files_.path() / "folder.obj"), ": is a folder, not a regular file");
+  ASSERT_EQ(mkfifo((files_.path() / "fifo.obj").c_str(), 0600), 0);
+  EXPECT_EQ(fault_at(files_.path() / "fifo.obj"), ": is not a regular file");
 }
 
 TEST_F(BadObj, MaterialFilesStayInTheFolder) {
   const std::string face = triangle + "f 1 2 3\n";
-  const ObjFiles elsewhere;
+  const TemporaryFolder elsewhere;
   elsewhere.write("m.mtl", "newmtl a\n");
-  std::filesystem::create_symlink(elsewhere.path("m.mtl"), files_.path("link.mtl"));
-  std::filesystem::create_directory_symlink(elsewhere.path("."), files_.path("linked"));
-  std::filesystem::create_directory(files_.path("sub"));
-  const std::string other = elsewhere.path("m.mtl").parent_path().filename().string();
+  std::filesystem::create_symlink(elsewhere.path() / "m.mtl", files_.path() / "link.mtl");
+  std::filesystem::create_directory_symlink(elsewhere.path(), files_.path() / "linked");
+  std::filesystem::create_directory(files_.path() / "sub");
+  const std::string other = elsewhere.path().filename().string();
   for (const std::string& name :
        {"../" + other + "/m.mtl", std::string("../nothing.mtl"), "sub/../../" + other + "/m.mtl",
         "..\\" + other + "\\m.mtl", std::string("link.mtl"), std::string("linked/m.mtl")}) {
     EXPECT_THAT(fault_of("mtllib " + name + "\n" + face),
                 testing::AllOf(HasSubstr(":1:8: "), HasSubstr("leads out of the asset's folder")));
   }
-  for (const std::string& name : {elsewhere.path("m.mtl").string(), std::string("/dev/zero"),
+  for (const std::string& name : {(elsewhere.path() / "m.mtl").string(), std::string("/dev/zero"),
                                   std::string("C:\\m.mtl"), std::string("\\m.mtl")}) {
     EXPECT_THAT(fault_of("mtllib " + name + "\n" + face), HasSubstr("is an absolute path"));
   }
@@ -152,8 +152,8 @@ TEST_F(BadObj, MaterialFilesStayInTheFolder) {
 
 TEST_F(BadObj, MaterialFilesAreRegularFiles) {
   const std::string face = triangle + "f 1 2 3\n";
-  std::filesystem::create_directory(files_.path("folder.mtl"));
-  ASSERT_EQ(mkfifo(files_.path("fifo.mtl").c_str(), 0600), 0);
+  std::filesystem::create_directory(files_.path() / "folder.mtl");
+  ASSERT_EQ(mkfifo((files_.path() / "fifo.mtl").c_str(), 0600), 0);
   EXPECT_THAT(fault_of("mtllib folder.mtl\n" + face), HasSubstr("is not a regular file"));
   EXPECT_THAT(fault_of("mtllib fifo.mtl\n" + face), HasSubstr("is not a regular file"));
   std::string many = face;

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "importers/importers.h"
-#include "obj_files.h"
 #include "scene/error.h"
+#include "support/temporary_folder.h"
 
 namespace restframe {
 namespace {
@@ -40,7 +40,7 @@ class Obj : public testing::Test {
   }
   void write(const std::string& name, const std::string& text) { files_.write(name, text); }
 
-  ObjFiles files_;
+  TemporaryFolder files_;
   Warnings warnings_;
 };
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/scratch_folder.h"
+#include "support/temporary_folder.h"
 
 namespace restframe {
 namespace {
@@ -36,7 +36,7 @@ class PaperIntervals : public ::testing::Test {
   }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(PaperIntervals, ReadsThePapersBlinkingBall) {

@@ -89,7 +89,7 @@ TEST(Program, BadOptionsExitWithTwo) {
   const TemporaryFolder folder;
   folder.write("scene.toml", kScene);
   expect_error(run(folder, {}), 2, {});
-  expect_error(run(folder, {"rendre"}), 2, {});
+  expect_error(run(folder, {"rendre", "x"}), 2, {"\"rendre\"", "the nearest is \"render\""});
   expect_error(run(folder, {"render"}), 2, {"SCENE"});
   expect_error(run(folder, {"render", "scene.toml", "--sampels", "3"}), 2, {"--sampels"});
   const std::vector<std::pair<const char*, const char*>> bad = {
@@ -123,6 +123,19 @@ TEST(Program, FaultsOfScenesHaveTheirPlace) {
   expect_error(run_changed("samples = 1", "sampels = 1"), 2,
                {"scene.toml:9:1: ", "sampels", "samples"});
   expect_error(run_changed("samples = 1", "samples = "), 2, {"scene.toml:9:"});
+}
+
+TEST(Program, FormulasThatFailWhileRenderingHaveTheirPlace) {
+  const TemporaryFolder folder;
+  const std::string material = "\n[[material]]\nname = \"ball\"\n";
+  const std::string text =
+      kScene + material + "emission_strength = {formula = \"sqrt(t - 1000)\"}\n";
+  folder.write("scene.toml", text);
+  const auto line = std::count(text.begin(), text.end(), '\n');
+  expect_error(
+      run(folder, {"render", "scene.toml"}), 2,
+      {"scene.toml:" + std::to_string(line) + ":32: material \"ball\": emission_strength: ",
+       "formula \"sqrt(t - 1000)\": no finite value at t = "});
 }
 
 TEST(Program, CheckListsEveryFault) {

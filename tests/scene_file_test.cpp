@@ -166,24 +166,6 @@ TEST_F(SceneFile, AssetsAreSharedByObjects) {
   EXPECT_EQ(scene.objects[0].materials, scene.objects[1].materials);
 }
 
-TEST_F(SceneFile, ListsItsSourcesWithTheirHashes) {
-  const std::string text =
-      "[[object]]\nasset = \"paint.obj\"\n[[material]]\nname = \"paint\"\n"
-      "opacity = {file = \"fade.txt\"}\n";
-  folder.write("fade.txt", "% period 2\n% interval 0 1 0.5\n");
-  const Scene scene = read(text);
-  std::vector<std::string> names;
-  for (const SourceFile& source : scene.sources) {
-    names.push_back(source.name);
-    EXPECT_EQ(source.hash.size(), 32U);
-  }
-  EXPECT_THAT(names, ElementsAre("scene.toml", "paint.obj", "paint.mtl", "fade.txt"));
-  folder.write("paint.mtl", "newmtl paint\nKd 1 0 1\n");
-  const Scene changed = read(text);
-  EXPECT_EQ(changed.sources[1].hash, scene.sources[1].hash);
-  EXPECT_NE(changed.sources[2].hash, scene.sources[2].hash);
-}
-
 TEST_F(SceneFile, MaterialsChangeThoseOfAssets) {
   const Scene scene = read(lattice + R"(
 [[material]]

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 
 #include "app/version.h"
 #include "scene/error.h"
+#include "scene/message.h"
+#include "scene/suggest.h"
 
 namespace restframe {
 namespace {
@@ -49,18 +52,29 @@ void parse_sizes(const std::string& option, const std::string& text, std::vector
 PictureRange parse_range(const std::string& text) {
   PictureRange range;
   const char* end = text.data() + text.size();
-  auto [stop, fault] = std::from_chars(text.data(), end, range.first);
+  std::from_chars_result read = std::from_chars(text.data(), end, range.first);
   range.last = range.first;
-  if (fault == std::errc{} && stop != end && *stop == '-') {
-    std::tie(stop, fault) = [&] {
-      const auto result = std::from_chars(stop + 1, end, range.last);
-      return std::pair(result.ptr, result.ec);
-    }();
+  if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '-') {
+    read = std::from_chars(read.ptr + 1, end, range.last);
   }
-  if (fault != std::errc{} || stop != end || range.first < 0 || range.last < range.first) {
+  if (read.ec != std::errc{} || read.ptr != end || range.first < 0 || range.last < range.first) {
     throw InputError(fmt::format("--pictures: \"{}\" is neither a number nor FIRST-LAST", text));
   }
   return range;
+}
+
+// CLI11 would say no more than that a command is missing.
+void check_first_word(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(command->get_name());
+  }
+  if (std::find(known.begin(), known.end(), argv[1]) != known.end()) return;
+  throw InputError(
+      fmt::format("options: unknown command {}, must be one of {}; the nearest is \"{}\" (see "
+                  "restframe --help)",
+                  quote(argv[1]), fmt::join(known, ", "), nearest(argv[1], known)));
 }
 
 void add_limits(CLI::App& command, ImportLimits& limits) {
@@ -158,6 +172,7 @@ Options parse_options(int argc, char** argv) {
   for (CLI::App* command : app.get_subcommands({})) {
     if (command != lattice_command) add_limits(*command, options.limits);
   }
+  check_first_word(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

@@ -118,7 +118,10 @@ std::string formula_text(const Scene& scene, FunctionIndex function) {
 void check_fault(const Scene& scene, const TemporalEvaluator& evaluator) {
   const TemporalEvaluator::Fault& fault = evaluator.fault();
   if (fault.function == no_function) return;
-  throw InputError(fmt::format("formula \"{}\": no finite value at t = {:.9g}",
+  const auto index = static_cast<std::size_t>(fault.function);
+  const std::string place =
+      index < scene.function_places.size() ? scene.function_places[index] + ": " : "";
+  throw InputError(fmt::format("{}formula \"{}\": no finite value at t = {:.9g}", place,
                                formula_text(scene, fault.function), fault.time));
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct Asset {
   std::vector<Material> materials;  // slots of the meshes' material ranges; at least one
   std::vector<Texture> textures;
   std::vector<Image> images;
+  std::set<std::filesystem::path> files;  // canonical; those read besides the one of that name
 };
 
 }  // namespace restframe

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "scene/error.h"
+#include "scene/file_names.h"
 
 namespace restframe {
 namespace {
@@ -40,10 +41,6 @@ void check_replaceable(const fs::path& path) {
       type != fs::file_type::symlink) {
     fail_with(path, error ? error.message() : "it is not a regular file");
   }
-}
-
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 void create_folders(const fs::path& path) {

@@ -75,6 +75,7 @@ std::optional<Vec3f> color_from_text(std::string_view text) {
 
 std::string nearest_color_name(std::string_view text) {
   std::vector<std::string> names;
+  names.reserve(color_names.size());
   for (const NamedColor& color : color_names) names.emplace_back(color.name);
   return nearest(in_lower_case(text), names);
 }

@@ -16,22 +16,23 @@ Vec3f normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 template <class T>
-void unshare(std::vector<T>& attribute, const std::vector<Triangle>& triangles) {
-  if (attribute.empty()) return;
-  std::vector<T> corners;
-  corners.reserve(3 * triangles.size());
-  for (const Triangle& triangle : triangles) {
-    for (const std::uint32_t vertex : triangle) corners.push_back(attribute[vertex]);
-  }
-  attribute = std::move(corners);
+std::vector<T> picked(const std::vector<T>& all, const std::vector<std::uint32_t>& which) {
+  std::vector<T> result;
+  if (all.empty()) return result;
+  result.reserve(which.size() + 1);
+  for (const std::uint32_t i : which) result.push_back(all[i]);
+  return result;
 }
 
 // Gives each triangle three vertices of its own with the triangle's normal: flat shading, stored.
 void store_flat_normals(Mesh& mesh) {
-  unshare(mesh.positions, mesh.triangles);
-  unshare(mesh.colors, mesh.triangles);
-  for (auto& uvs : mesh.uvs) unshare(uvs, mesh.triangles);
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles) {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  }
   mesh.normals.clear();
+  take_vertices(mesh, corners, mesh);
   std::uint32_t vertex = 0;
   for (Triangle& triangle : mesh.triangles) {
     triangle = {vertex, vertex + 1, vertex + 2};
@@ -87,6 +88,24 @@ Bounds bounds_of(const Mesh& mesh) {
   Bounds bounds;
   for (const Vec3f& position : mesh.positions) bounds.add(position);
   return bounds;
+}
+
+std::size_t count_degenerate(const Mesh& mesh) {
+  const auto has_no_area = [&](const Triangle& triangle) {
+    // Products of differences of floats: in double none underflows to a false zero.
+    const Vec3 a = mesh.positions[triangle[0]];
+    const Vec3 b = mesh.positions[triangle[1]], c = mesh.positions[triangle[2]];
+    return glm::cross(b - a, c - a) == Vec3(0);
+  };
+  const auto count = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), has_no_area);
+  return static_cast<std::size_t>(count);
+}
+
+void take_vertices(const Mesh& from, const std::vector<std::uint32_t>& which, Mesh& to) {
+  to.positions = picked(from.positions, which);
+  to.normals = picked(from.normals, which);
+  for (std::size_t set = 0; set < to.uvs.size(); ++set) to.uvs[set] = picked(from.uvs[set], which);
+  to.colors = picked(from.colors, which);
 }
 
 int find_material_slot(const Mesh& mesh, std::uint32_t triangle) {

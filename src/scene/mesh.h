@@ -30,6 +30,9 @@ struct Mesh {
   std::vector<MaterialRange> materials;  // at least one; sorted, the first at triangle 0
 };
 
+// Beyond, in any of a vertex's coordinates, Embree loses triangles.
+inline constexpr double largest_coordinate = 1e15;
+
 struct Bounds {
   Vec3 lower{1e300}, upper{-1e300};
 
@@ -43,6 +46,13 @@ struct Bounds {
 };
 
 Bounds bounds_of(const Mesh& mesh);
+
+// Triangles without area.
+std::size_t count_degenerate(const Mesh& mesh);
+
+// Gives `to` the vertices `which` of `from`, with all their attributes and room for Embree's reads;
+// its triangles stay. Both may be the same mesh.
+void take_vertices(const Mesh& from, const std::vector<std::uint32_t>& which, Mesh& to);
 
 // The material slot of a triangle, of several ranges by bisection.
 int find_material_slot(const Mesh& mesh, std::uint32_t triangle);

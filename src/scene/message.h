@@ -1,16 +1,14 @@
 #pragma once
 
-#include <sstream>
 #include <string>
+#include <string_view>
 
 namespace restframe {
 
-// The parts one after another, numbers in short form.
-template <class... Parts>
-std::string message(const Parts&... parts) {
-  std::ostringstream out;
-  (out << ... << parts);
-  return out.str();
-}
+// A message is one line, whatever texts of files are in it: control characters become '?'.
+std::string on_one_line(std::string text);
+
+// A text of a file in quotes, on one line, cut if it is long.
+std::string quote(std::string_view text);
 
 }  // namespace restframe

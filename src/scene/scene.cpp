@@ -1,12 +1,13 @@
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 
 #include "scene/error.h"
-#include "scene/message.h"
 #include "scene/output_pattern.h"
 #include "scene/validate_data.h"
 
@@ -18,10 +19,6 @@ using Faults = std::vector<std::string>;
 // Light-seconds and seconds beyond which squares and products could overflow.
 constexpr double farthest = 1e100;
 
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 bool is_near(const Event<in::World>& e) {
   return std::abs(e.t) <= farthest && std::abs(e.x.x) <= farthest && std::abs(e.x.y) <= farthest &&
          std::abs(e.x.z) <= farthest;  // false for NaN
@@ -29,12 +26,12 @@ bool is_near(const Event<in::World>& e) {
 
 void check_positive(double value, const char* what, Faults& faults) {
   if (value > 0 && std::isfinite(value)) return;
-  faults.push_back(message(what, " is ", value, ", must be above 0 and finite"));
+  faults.push_back(fmt::format("{} is {}, must be above 0 and finite", what, value));
 }
 
 void check_count(int value, int low, int high, const char* what, Faults& faults) {
   if (value >= low && value <= high) return;
-  faults.push_back(message(what, " is ", value, ", must be from ", low, " to ", high));
+  faults.push_back(fmt::format("{} is {}, must be from {} to {}", what, value, low, high));
 }
 
 void check_worldline(const Worldline& worldline, const std::string& name, Faults& faults) {
@@ -51,7 +48,7 @@ void check_camera(const Camera& camera, Faults& faults) {
   const double fov = camera.vertical_fov;
   if (!(fov > 0 && fov < std::numbers::pi)) {
     faults.push_back(
-        message("camera: fov is ", glm::degrees(fov), ", must be above 0 and below 180"));
+        fmt::format("camera: fov is {}, must be above 0 and below 180", glm::degrees(fov)));
   }
   if (!is_finite(camera.up) || !(glm::length(camera.up) > 0)) {
     faults.push_back("camera: up must be finite and of a length above 0");
@@ -73,7 +70,7 @@ void check_poses(const Scene& scene, Faults& faults) {
     try {
       pose_at(scene.camera, scene.animation.start + picture / scene.animation.rate);
     } catch (const InputError& error) {
-      faults.push_back(message("picture ", picture, ": ", error.what()));
+      faults.push_back(fmt::format("picture {}: {}", picture, error.what()));
       return;
     }
   }
@@ -109,8 +106,8 @@ bool is_usable(const Mat4& matrix) {
 void check_slots(const Object& object, const Mesh& mesh, const std::string& name, Faults& faults) {
   for (const MaterialRange& range : mesh.materials) {
     if (range.slot >= 0 && range.slot < static_cast<int>(object.materials.size())) continue;
-    faults.push_back(message(name, ": mesh \"", mesh.name, "\" uses material slot ", range.slot,
-                             ", the object has ", object.materials.size()));
+    faults.push_back(fmt::format("{}: mesh \"{}\" uses material slot {}, the object has {}", name,
+                                 mesh.name, range.slot, object.materials.size()));
     return;
   }
 }
@@ -120,15 +117,16 @@ void check_parts(const Scene& scene, const Object& object, const std::string& na
   std::set<int> checked;
   for (const PlacedMesh& part : object.parts) {
     if (part.mesh < 0 || part.mesh >= static_cast<int>(scene.meshes.size())) {
-      faults.push_back(message(name, " refers to mesh ", part.mesh, " of ", scene.meshes.size()));
+      faults.push_back(
+          fmt::format("{} refers to mesh {} of {}", name, part.mesh, scene.meshes.size()));
       continue;
     }
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
     if (checked.insert(part.mesh).second) check_slots(object, mesh, name, faults);
     if (is_usable(part.object_from_mesh)) continue;
-    faults.push_back(
-        message(name, ": mesh \"", mesh.name,
-                "\" is placed by a matrix that is not affine, regular, and within 1e100"));
+    faults.push_back(fmt::format(
+        "{}: mesh \"{}\" is placed by a matrix that is not affine, regular, and within 1e100", name,
+        mesh.name));
   }
 }
 
@@ -136,7 +134,7 @@ void check_objects(const Scene& scene, Faults& faults) {
   if (scene.objects.empty()) faults.push_back("there is no object, must be at least one");
   std::set<std::string> names;
   for (const Object& object : scene.objects) {
-    const std::string name = message("object \"", object.name, "\"");
+    const std::string name = fmt::format("object \"{}\"", object.name);
     if (!names.insert(object.name).second) faults.push_back("two objects are " + name);
     check_worldline(object.worldline, name, faults);
     if (!std::isfinite(object.clock)) faults.push_back(name + ": clock must be finite");
@@ -144,7 +142,7 @@ void check_objects(const Scene& scene, Faults& faults) {
     for (const int material : object.materials) {
       if (material >= 0 && material < static_cast<int>(scene.materials.size())) continue;
       faults.push_back(
-          message(name, " refers to material ", material, " of ", scene.materials.size()));
+          fmt::format("{} refers to material {} of {}", name, material, scene.materials.size()));
     }
   }
 }
@@ -162,7 +160,7 @@ std::vector<std::string> validate(const Scene& scene) {
   if (scene.camera_given && faults.empty()) check_poses(scene, faults);
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     for (const std::string& fault : temporal_faults(scene.functions[i])) {
-      faults.push_back(message("temporal function ", i, ": ", fault));
+      faults.push_back(fmt::format("temporal function {}: {}", i, fault));
     }
   }
   return faults;

@@ -53,6 +53,9 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<TemporalFunction> functions;
+  // Where each function comes from, for messages ("scene.toml:12:3: material \"rods\": base_color");
+  // empty where nothing is known.
+  std::vector<std::string> function_places;
   std::vector<SourceFile> sources;
 };
 

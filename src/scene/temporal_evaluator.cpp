@@ -49,10 +49,6 @@ TemporalValue evaluate(const KeyFunction& function, double time) {
   return glm::mix(left.value, right.value, static_cast<float>(fraction));
 }
 
-bool is_finite(const TemporalValue& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace
 
 // The formulas of one function; none for the other kinds, which are evaluated as they are.

@@ -1,26 +1,22 @@
 #include "scene/temporal_function.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
-#include "scene/message.h"
+#include <cmath>
 
 namespace restframe {
 namespace {
 
 using Faults = std::vector<std::string>;
 
-bool is_finite(const TemporalValue& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void check_period(const std::optional<double>& period, Faults& faults) {
   if (period && !(std::isfinite(*period) && *period > 0)) {
-    faults.push_back(message("the period is ", *period, ", must be above 0 and finite"));
+    faults.push_back(fmt::format("the period is {}, must be above 0 and finite", *period));
   }
 }
 
 std::string name_of(const IntervalFunction::Interval& interval) {
-  return message("the interval from ", interval.begin, " to ", interval.end);
+  return fmt::format("the interval from {} to {}", interval.begin, interval.end);
 }
 
 void check_interval(const IntervalFunction::Interval& interval, const std::optional<double>& period,
@@ -30,7 +26,7 @@ void check_interval(const IntervalFunction::Interval& interval, const std::optio
   } else if (interval.begin >= interval.end) {
     faults.push_back(name_of(interval) + " is empty, its end must come after its beginning");
   } else if (period && *period > 0 && (interval.begin < 0 || interval.end > *period)) {
-    faults.push_back(message(name_of(interval), " leaves the period, 0 to ", *period));
+    faults.push_back(fmt::format("{} leaves the period, 0 to {}", name_of(interval), *period));
   }
   if (!is_finite(interval.value)) {
     faults.push_back("the value of " + name_of(interval) + " is not finite");
@@ -47,8 +43,8 @@ Faults faults_of(const IntervalFunction& function) {
     if (before && interval.begin < before->begin) {
       faults.push_back(name_of(interval) + " comes before its predecessor");
     } else if (before && interval.begin < before->end) {
-      faults.push_back(
-          message(name_of(interval), " overlaps that from ", before->begin, " to ", before->end));
+      faults.push_back(fmt::format("{} overlaps that from {} to {}", name_of(interval),
+                                   before->begin, before->end));
     }
     before = &interval;
   }
@@ -57,16 +53,16 @@ Faults faults_of(const IntervalFunction& function) {
 
 void check_key(const KeyFunction& function, std::size_t i, Faults& faults) {
   const KeyFunction::Key& key = function.keys[i];
-  const std::string name = message("the key at time ", key.time);
+  const std::string name = fmt::format("the key at time {}", key.time);
   if (!std::isfinite(key.time) || !is_finite(key.value)) {
     faults.push_back(name + " is not finite");
   } else if (function.period && *function.period > 0 &&
              (key.time < 0 || key.time > *function.period)) {
-    faults.push_back(message(name, " leaves the period, 0 to ", *function.period));
+    faults.push_back(fmt::format("{} leaves the period, 0 to {}", name, *function.period));
   }
   if (i > 0 && key.time < function.keys[i - 1].time) {
-    faults.push_back(
-        message(name, " is out of order, the one before it is at ", function.keys[i - 1].time));
+    faults.push_back(fmt::format("{} is out of order, the one before it is at {}", name,
+                                 function.keys[i - 1].time));
   }
   if (i > 1 && key.time == function.keys[i - 2].time) {
     faults.push_back(name + " is the third at that time, there may be two (a jump)");
@@ -85,11 +81,11 @@ Faults faults_of(const FormulaFunction& function) {
   Faults faults;
   const std::size_t count = function.formulas.size();
   if (count != 1 && count != 3) {
-    faults.push_back(message("there are ", count, " formulas, must be one or three"));
+    faults.push_back(fmt::format("there are {} formulas, must be one or three", count));
   }
   for (const std::string& formula : function.formulas) {
     if (const auto fault = formula_fault(formula)) {
-      faults.push_back(message("the formula \"", formula, "\" can not be used: ", *fault));
+      faults.push_back(fmt::format("the formula \"{}\" can not be used: {}", formula, *fault));
     }
   }
   if (function.from.has_value() != function.to.has_value() || (function.from && count == 3)) {

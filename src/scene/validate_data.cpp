@@ -1,33 +1,29 @@
 #include "scene/validate_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "scene/message.h"
 
 namespace restframe {
 namespace {
 
 using Faults = std::vector<std::string>;
 
-// Embree loses triangles with coordinates beyond.
-constexpr float largest_coordinate = 1e15F;
-
-bool is_usable(const Vec3f& p) {
-  return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate &&
-         std::abs(p.z) <= largest_coordinate;  // false for NaN
+bool is_usable(const Vec3f& position) {
+  return is_within(position, static_cast<float>(largest_coordinate));
 }
 
 template <class T>
 void check_attribute(const Mesh& mesh, const std::vector<T>& values, const char* what,
                      Faults& faults) {
   if (values.empty() || values.size() == mesh.positions.size()) return;
-  faults.push_back(message("mesh \"", mesh.name, "\" has ", values.size(), " ", what, " for ",
-                           mesh.positions.size(), " vertices"));
+  faults.push_back(fmt::format("mesh \"{}\" has {} {} for {} vertices", mesh.name, values.size(),
+                               what, mesh.positions.size()));
 }
 
 void check_ranges(const Mesh& mesh, Faults& faults) {
-  const std::string name = message("mesh \"", mesh.name, "\"");
+  const std::string name = fmt::format("mesh \"{}\"", mesh.name);
   const auto later = [](const MaterialRange& a, const MaterialRange& b) {
     return a.first_triangle < b.first_triangle;
   };
@@ -41,15 +37,15 @@ void check_ranges(const Mesh& mesh, Faults& faults) {
 void check_function(const Scene& scene, FunctionIndex function, const std::string& what,
                     Faults& faults) {
   if (function >= no_function && function < static_cast<int>(scene.functions.size())) return;
-  faults.push_back(
-      message(what, " refers to temporal function ", function, " of ", scene.functions.size()));
+  faults.push_back(fmt::format("{} refers to temporal function {} of {}", what, function,
+                               scene.functions.size()));
 }
 
 void check_number(const Scene& scene, const TemporalNumber& number, const std::string& what,
                   Faults& faults) {
   check_function(scene, number.function, what, faults);
   if (!(number.value >= 0 && std::isfinite(number.value))) {
-    faults.push_back(message(what, " is ", number.value, ", must be at least 0 and finite"));
+    faults.push_back(fmt::format("{} is {}, must be at least 0 and finite", what, number.value));
   }
 }
 
@@ -60,36 +56,36 @@ void check_color(const Scene& scene, const TemporalColor& color, const std::stri
   const auto good = [](float x) { return x >= 0 && std::isfinite(x); };
   if (good(v.x) && good(v.y) && good(v.z)) return;
   faults.push_back(
-      message(what, " is [", v.x, ", ", v.y, ", ", v.z, "], must be at least 0 and finite"));
+      fmt::format("{} is [{}, {}, {}], must be at least 0 and finite", what, v.x, v.y, v.z));
 }
 
 void check_texture(const Scene& scene, const TextureUse& use, const std::string& what,
                    Faults& faults) {
   if (use.texture < -1 || use.texture >= static_cast<int>(scene.textures.size())) {
     faults.push_back(
-        message(what, " refers to texture ", use.texture, " of ", scene.textures.size()));
+        fmt::format("{} refers to texture {} of {}", what, use.texture, scene.textures.size()));
   }
   if (use.uv_set != 0 && use.uv_set != 1) {
-    faults.push_back(message(what, " uses UV set ", use.uv_set, ", must be 0 or 1"));
+    faults.push_back(fmt::format("{} uses UV set {}, must be 0 or 1", what, use.uv_set));
   }
 }
 
 }  // namespace
 
 void validate_mesh(const Mesh& mesh, Faults& faults) {
-  const std::string name = message("mesh \"", mesh.name, "\"");
+  const std::string name = fmt::format("mesh \"{}\"", mesh.name);
   const auto bad = std::find_if_not(mesh.positions.begin(), mesh.positions.end(), is_usable);
   if (bad != mesh.positions.end()) {
-    faults.push_back(message(name, " vertex ", bad - mesh.positions.begin(), " is at [", bad->x,
-                             ", ", bad->y, ", ", bad->z, "], must be finite and within 1e15"));
+    faults.push_back(fmt::format("{} vertex {} is at [{}, {}, {}], must be finite and within 1e15",
+                                 name, bad - mesh.positions.begin(), bad->x, bad->y, bad->z));
   }
   const auto outside =
       std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& corners) {
         return *std::max_element(corners.begin(), corners.end()) >= mesh.positions.size();
       });
   if (outside != mesh.triangles.end()) {
-    faults.push_back(message(name, " triangle ", outside - mesh.triangles.begin(),
-                             " refers to a vertex beyond its ", mesh.positions.size()));
+    faults.push_back(fmt::format("{} triangle {} refers to a vertex beyond its {}", name,
+                                 outside - mesh.triangles.begin(), mesh.positions.size()));
   }
   check_attribute(mesh, mesh.normals, "normals", faults);
   check_attribute(mesh, mesh.uvs[0], "texture coordinates", faults);
@@ -100,7 +96,7 @@ void validate_mesh(const Mesh& mesh, Faults& faults) {
 
 void validate_materials(const Scene& scene, Faults& faults) {
   for (const Material& material : scene.materials) {
-    const std::string name = message("material \"", material.name, "\": ");
+    const std::string name = fmt::format("material \"{}\": ", material.name);
     check_color(scene, material.base_color, name + "base_color", faults);
     check_color(scene, material.emission, name + "emission", faults);
     check_number(scene, material.opacity, name + "opacity", faults);
@@ -120,14 +116,14 @@ void validate_textures(const Scene& scene, Faults& faults) {
     const int image = scene.textures[i].image;
     if (image >= 0 && image < static_cast<int>(scene.images.size())) continue;
     faults.push_back(
-        message("texture ", i, " refers to image ", image, " of ", scene.images.size()));
+        fmt::format("texture {} refers to image {} of {}", i, image, scene.images.size()));
   }
   for (const Image& image : scene.images) {
     const bool positive = image.width > 0 && image.height > 0;
     const std::size_t bytes = positive ? std::size_t{4} * image.width * image.height : 0;
     if (positive && image.rgba.size() == bytes) continue;
-    faults.push_back(message("image \"", image.name, "\" has ", image.rgba.size(), " bytes for ",
-                             image.width, " x ", image.height, " pixels"));
+    faults.push_back(fmt::format("image \"{}\" has {} bytes for {} x {} pixels", image.name,
+                                 image.rgba.size(), image.width, image.height));
   }
 }
 

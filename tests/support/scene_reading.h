@@ -7,7 +7,7 @@
 
 #include "importers/importers.h"
 #include "scene/error.h"
-#include "support/scratch_folder.h"
+#include "support/temporary_folder.h"
 
 namespace restframe {
 
@@ -40,7 +40,7 @@ class SceneReading : public ::testing::Test {
     return {};
   }
 
-  ScratchFolder folder;
+  TemporaryFolder folder;
   Warnings warnings;
 };
 
