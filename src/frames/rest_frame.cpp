@@ -1,5 +1,7 @@
 #include "frames/rest_frame.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace restframe {
@@ -46,6 +48,25 @@ bool keeps_octants(const Mat3& linear) {
   return true;
 }
 
+// The inverse transpose, its largest entry brought to 1 or -1: however small or large the mesh is placed,
+// floats hold it and the squares of what it gives.
+glm::mat3 normal_matrix(const Mat3& linear) {
+  const Mat3 m = glm::transpose(glm::inverse(linear));
+  double largest = 0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+  }
+  return glm::mat3(m / largest);
+}
+
+// Triangles much smaller or larger than this, in traversal coordinates, are lost in Embree's floats.
+double traversal_unit(const Bounds& bounds) {
+  constexpr double smallest = 1e-2;
+  constexpr double largest = 1e6;
+  const double size = glm::length(bounds.extent());
+  return size == 0.0 || (size > smallest && size < largest) ? 1.0 : size;
+}
+
 EmbreeGeometry instance_geometry(const EmbreeDevice& device, RTCScene instanced, const Mat4& to) {
   EmbreeGeometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
   rtcSetGeometryInstancedScene(geometry.get(), instanced);
@@ -68,8 +89,7 @@ RestFrame::RestFrame(const EmbreeDevice& device, const Scene& scene, std::span<c
       part.mesh = placed.mesh;
       part.triangles = scene.meshes[static_cast<std::size_t>(placed.mesh)].triangles;
       part.rest_from_mesh = translation(origin_of(object)) * placed.object_from_mesh;
-      const Mat3 linear(part.rest_from_mesh);
-      part.rest_from_mesh_normal = glm::mat3(glm::transpose(glm::inverse(linear)));
+      part.rest_from_mesh_normal = normal_matrix(Mat3(part.rest_from_mesh));
       part.rest_from_facet_normal = part.rest_from_mesh_normal;
       parts_.push_back(std::move(part));
     }
@@ -100,8 +120,10 @@ void RestFrame::build_many(const EmbreeDevice& device, std::span<const Traversab
     rest_bounds.add(b.upper);
   }
   const Vec3 center = parts_.empty() ? Vec3(0) : rest_bounds.center();
-  set_traversal(translation(center));
-  bounds_ = padded({rest_bounds.lower - center, rest_bounds.upper - center});
+  const double unit = traversal_unit(rest_bounds);
+  set_traversal(glm::scale(translation(center), Vec3(unit)));
+  bounds_ = padded({(rest_bounds.lower - center) / unit, (rest_bounds.upper - center) / unit});
+  const Mat4 traversal_from_rest = glm::scale(Mat4(1), Vec3(1.0 / unit)) * translation(-center);
 
   own_scene_ = new_scene(device);
   traversed_ = own_scene_.get();
@@ -109,7 +131,7 @@ void RestFrame::build_many(const EmbreeDevice& device, std::span<const Traversab
     FramePart& part = parts_[i];
     const TraversableMesh& mesh = meshes[static_cast<std::size_t>(part.mesh)];
     part.traversal_from_local =
-        translation(-center) * part.rest_from_mesh * translation(mesh.offset);
+        traversal_from_rest * part.rest_from_mesh * translation(mesh.offset);
     EmbreeGeometry geometry;
     if (uses_of_mesh[static_cast<std::size_t>(part.mesh)] > 1) {
       part.instanced = true;

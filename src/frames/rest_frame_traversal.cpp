@@ -16,6 +16,7 @@ struct LocalRays {
   Vec3fLanes sight;
   Vec3Lanes origin, k;
   Lanes<double> s_enter, s_leave;  // where the ray is within the frame's bounds
+  Lanes<double> s_of_unit;         // s for one unit of Embree's ray parameter
   Lanes<std::int32_t> active;
 };
 
@@ -54,19 +55,32 @@ bool any_active(const Lanes<std::int32_t>& active) {
   return any != 0;
 }
 
-// The origin moves to where the ray enters the bounds, so that floats only hold what is inside.
-void narrow(const LocalRays& local, RTCRayHit16& query) {
+// The origin moves to where the ray enters the bounds, so that floats only hold what is inside. The
+// direction is scaled to a largest component of 1: high velocities, and meshes placed in small, make k
+// longer than floats and Embree's asserts bear. A ray that is not in their range after that is dropped.
+void narrow(LocalRays& local, RTCRayHit16& query) {
+  constexpr double largest = 1e18;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const double s = local.s_enter[i];
-    query.ray.org_x[i] = static_cast<float>(local.origin.x[i] + s * local.k.x[i]);
-    query.ray.org_y[i] = static_cast<float>(local.origin.y[i] + s * local.k.y[i]);
-    query.ray.org_z[i] = static_cast<float>(local.origin.z[i] + s * local.k.z[i]);
-    query.ray.dir_x[i] = static_cast<float>(local.k.x[i]);
-    query.ray.dir_y[i] = static_cast<float>(local.k.y[i]);
-    query.ray.dir_z[i] = static_cast<float>(local.k.z[i]);
+    const double x = local.origin.x[i] + s * local.k.x[i];
+    const double y = local.origin.y[i] + s * local.k.y[i];
+    const double z = local.origin.z[i] + s * local.k.z[i];
+    const double longest =
+        std::max(std::abs(local.k.x[i]), std::max(std::abs(local.k.y[i]), std::abs(local.k.z[i])));
+    const double unit = 1.0 / longest;
+    const bool fits = std::abs(x) < largest && std::abs(y) < largest && std::abs(z) < largest &&
+                      unit > 0.0 && unit < 1e300;
+    local.s_of_unit[i] = unit;
+    local.active[i] = fits ? local.active[i] : 0;
+    query.ray.org_x[i] = static_cast<float>(x);
+    query.ray.org_y[i] = static_cast<float>(y);
+    query.ray.org_z[i] = static_cast<float>(z);
+    query.ray.dir_x[i] = static_cast<float>(local.k.x[i] * unit);
+    query.ray.dir_y[i] = static_cast<float>(local.k.y[i] * unit);
+    query.ray.dir_z[i] = static_cast<float>(local.k.z[i] * unit);
     query.ray.tnear[i] = 0.0F;
-    query.ray.tfar[i] = static_cast<float>(local.s_leave[i] - s);
+    query.ray.tfar[i] = static_cast<float>((local.s_leave[i] - s) * longest);
     query.ray.time[i] = 0.0F;
     query.ray.mask[i] = ~0U;
     query.ray.id[i] = 0U;
@@ -110,7 +124,8 @@ void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, 
     replace(hit, hits.sight.x[i], local.sight.x[i]);
     replace(hit, hits.sight.y[i], local.sight.y[i]);
     replace(hit, hits.sight.z[i], local.sight.z[i]);
-    replace(hit, hits.s[i], local.s_enter[i] + static_cast<double>(query.ray.tfar[i]));
+    replace(hit, hits.s[i],
+            local.s_enter[i] + static_cast<double>(query.ray.tfar[i]) * local.s_of_unit[i]);
     replace(hit, hits.rest_t[i], local.rest_t[i]);
     replace(hit, hits.rest_k_t[i], local.rest_k.t[i]);
     replace(hit, hits.origin.x[i], local.origin.x[i]);

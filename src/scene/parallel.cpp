@@ -71,8 +71,11 @@ void set_thread_count(int threads) {
 }
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
-  // An arena of the wanted size: more threads than cores, where a test asks for them.
-  tbb::task_arena arena(thread_count());
+  // An arena of the wanted size: more threads than cores, where a test asks for them. Embree's device may
+  // have limited all of TBB to the cores; TBB writes a warning where an arena asks for more.
+  const std::size_t allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(std::min(thread_count(), static_cast<int>(allowed)));
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       flush_denormals();

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "scene/error.h"
 #include "scene/output_pattern.h"
 #include "scene/validate_data.h"
 
@@ -14,6 +15,14 @@ namespace restframe {
 namespace {
 
 using Faults = std::vector<std::string>;
+
+// Light-seconds and seconds beyond which squares and products could overflow.
+constexpr double farthest = 1e100;
+
+bool is_near(const Event<in::World>& e) {
+  return std::abs(e.t) <= farthest && std::abs(e.x.x) <= farthest && std::abs(e.x.y) <= farthest &&
+         std::abs(e.x.z) <= farthest;  // false for NaN
+}
 
 void check_positive(double value, const char* what, Faults& faults) {
   if (value > 0 && std::isfinite(value)) return;
@@ -26,8 +35,8 @@ void check_count(int value, int low, int high, const char* what, Faults& faults)
 }
 
 void check_worldline(const Worldline& worldline, const std::string& name, Faults& faults) {
-  if (!is_finite(worldline.reference)) {
-    faults.push_back(name + ": position and time must be finite");
+  if (!is_near(worldline.reference)) {
+    faults.push_back(name + ": position and time must be finite and within 1e100 light-seconds");
   }
   if (!is_finite(worldline.velocity.gamma_beta()) || !std::isfinite(worldline.velocity.gamma())) {
     faults.push_back(name + ": |velocity| must be below 1");
@@ -55,6 +64,18 @@ void check_camera(const Camera& camera, Faults& faults) {
   }
 }
 
+// A moving camera may pass the point that it looks at.
+void check_poses(const Scene& scene, Faults& faults) {
+  for (int picture = 0; picture < scene.animation.pictures; ++picture) {
+    try {
+      pose_at(scene.camera, scene.animation.start + picture / scene.animation.rate);
+    } catch (const InputError& error) {
+      faults.push_back(fmt::format("picture {}: {}", picture, error.what()));
+      return;
+    }
+  }
+}
+
 void check_settings(const Scene& scene, Faults& faults) {
   check_positive(scene.light_speed, "light_speed", faults);
   check_positive(scene.animation.rate, "animation: rate", faults);
@@ -74,7 +95,9 @@ void check_settings(const Scene& scene, Faults& faults) {
 
 bool is_usable(const Mat4& matrix) {
   for (int column = 0; column < 4; ++column) {
-    if (!is_finite(matrix[column])) return false;
+    for (int row = 0; row < 4; ++row) {
+      if (!(std::abs(matrix[column][row]) <= farthest)) return false;
+    }
   }
   const bool affine = matrix[0].w == 0 && matrix[1].w == 0 && matrix[2].w == 0 && matrix[3].w == 1;
   return affine && glm::determinant(Mat3(matrix)) != 0;
@@ -101,9 +124,9 @@ void check_parts(const Scene& scene, const Object& object, const std::string& na
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
     if (checked.insert(part.mesh).second) check_slots(object, mesh, name, faults);
     if (is_usable(part.object_from_mesh)) continue;
-    faults.push_back(
-        fmt::format("{}: mesh \"{}\" is placed by a matrix that is not finite, affine and regular",
-                    name, mesh.name));
+    faults.push_back(fmt::format(
+        "{}: mesh \"{}\" is placed by a matrix that is not affine, regular, and within 1e100", name,
+        mesh.name));
   }
 }
 
@@ -134,6 +157,7 @@ std::vector<std::string> validate(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);
   validate_materials(scene, faults);
   validate_textures(scene, faults);
+  if (scene.camera_given && faults.empty()) check_poses(scene, faults);
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     for (const std::string& fault : temporal_faults(scene.functions[i])) {
       faults.push_back(fmt::format("temporal function {}: {}", i, fault));

@@ -1,0 +1,217 @@
+// The canonical text of a scene: it changes with everything that changes pixels, and with nothing else.
+
+#include "scene/canonical.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace restframe {
+namespace {
+
+using Change = std::function<void(Scene&)>;
+
+Scene base() {
+  Scene scene;
+  Mesh mesh;
+  mesh.name = "triangle";
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.materials = {{0, 0}};
+  scene.meshes = {mesh, mesh};
+  scene.materials.resize(2);
+  Object object;
+  object.name = "thing";
+  object.parts = {{0, Mat4(1)}};
+  object.materials = {0};
+  scene.objects = {object};
+  scene.functions.push_back(IntervalFunction{1.0, {{0, 0.5, Vec3f(1)}}});
+  scene.functions.push_back(KeyFunction{{}, {{0, Vec3f(0)}, {1, Vec3f(1)}}});
+  scene.functions.push_back(FormulaFunction{{"t"}, Vec3f(0), Vec3f(1)});
+  return scene;
+}
+
+std::string text_after(const Change& change) {
+  Scene scene = base();
+  change(scene);
+  return canonical_settings(scene);
+}
+
+// Each text differs from the base's and from all others'.
+void expect_all_different(const std::map<std::string, Change>& changes) {
+  std::set<std::string> texts = {canonical_settings(base())};
+  for (const auto& [what, change] : changes) {
+    EXPECT_TRUE(texts.insert(text_after(change)).second) << what;
+  }
+}
+
+TEST(Canonical, SameScenesHaveTheSameText) {
+  EXPECT_EQ(canonical_settings(base()), canonical_settings(base()));
+}
+
+TEST(Canonical, ChangesWithTheCamera) {
+  expect_all_different({
+      {"position", [](Scene& s) { s.camera.worldline.reference.x.y = 1e-300; }},
+      {"time", [](Scene& s) { s.camera.worldline.reference.t = 1; }},
+      {"velocity",
+       [](Scene& s) {
+         s.camera.worldline.velocity = Velocity::from_beta({0.1, 0, 0});
+       }},
+      {"direction",
+       [](Scene& s) {
+         s.camera.aim = AimDirection{{0, 0, 1}};
+       }},
+      {"look_at",
+       [](Scene& s) {
+         s.camera.aim = AimPoint{{0, 0, 1}};
+       }},
+      {"look_at elsewhere",
+       [](Scene& s) {
+         s.camera.aim = AimPoint{{0, 0, 2}};
+       }},
+      {"up",
+       [](Scene& s) {
+         s.camera.up = {1, 0, 0};
+       }},
+      {"fov", [](Scene& s) { s.camera.vertical_fov = std::nextafter(1.0, 2.0); }},
+  });
+}
+
+TEST(Canonical, ChangesWithSettings) {
+  expect_all_different({
+      {"light_speed", [](Scene& s) { s.light_speed = 3e8; }},
+      {"rate", [](Scene& s) { s.animation.rate = 11; }},
+      {"start", [](Scene& s) { s.animation.start = 1; }},
+      {"width", [](Scene& s) { s.render.width = 10; }},
+      {"height", [](Scene& s) { s.render.height = 10; }},
+      {"samples", [](Scene& s) { s.render.samples = 17; }},
+      {"beaming", [](Scene& s) { s.render.beaming = true; }},
+      {"seed", [](Scene& s) { s.render.seed = ~0ULL; }},
+      {"layers", [](Scene& s) { s.output.layers.push_back(Layer::time); }},
+      {"compression", [](Scene& s) { s.output.compression = Compression::dwaa; }},
+  });
+}
+
+TEST(Canonical, ChangesWithObjects) {
+  expect_all_different({
+      {"position", [](Scene& s) { s.objects[0].worldline.reference.x.x = 1; }},
+      {"time", [](Scene& s) { s.objects[0].worldline.reference.t = 1; }},
+      {"velocity",
+       [](Scene& s) {
+         s.objects[0].worldline.velocity = Velocity::from_beta({0, 0, 0.5});
+       }},
+      {"the next velocity",
+       [](Scene& s) {
+         s.objects[0].worldline.velocity = Velocity::from_beta({0, 0, std::nextafter(0.5, 1)});
+       }},
+      {"clock", [](Scene& s) { s.objects[0].clock = 1; }},
+      {"frame clock", [](Scene& s) { s.objects[0].frame_clock = true; }},
+      {"placement", [](Scene& s) { s.objects[0].parts[0].object_from_mesh[3].x = 1; }},
+      {"another mesh", [](Scene& s) { s.objects[0].parts[0].mesh = 1; }},
+      {"a part more",
+       [](Scene& s) {
+         s.objects[0].parts.push_back({0, Mat4(1)});
+       }},
+      {"another material", [](Scene& s) { s.objects[0].materials[0] = 1; }},
+      {"name", [](Scene& s) { s.objects[0].name = "other"; }},  // headers hold it
+      {"an object more", [](Scene& s) { s.objects.push_back(s.objects[0]); }},
+  });
+}
+
+TEST(Canonical, ChangesWithMeshes) {
+  expect_all_different({
+      {"vertex", [](Scene& s) { s.meshes[1].positions[2].y = 1.0000001F; }},
+      {"triangle",
+       [](Scene& s) {
+         s.meshes[0].triangles[0] = {0, 2, 1};
+       }},
+      {"normals",
+       [](Scene& s) {
+         s.meshes[0].normals.assign(3, {0, 0, 1});
+       }},
+      {"uvs",
+       [](Scene& s) {
+         s.meshes[0].uvs[0].assign(3, {0, 1});
+       }},
+      {"colours", [](Scene& s) { s.meshes[0].colors.assign(3, Vec4f(1)); }},
+      {"slot", [](Scene& s) { s.meshes[0].materials[0].slot = 1; }},
+      {"a mesh more", [](Scene& s) { s.meshes.emplace_back(); }},
+  });
+}
+
+TEST(Canonical, ChangesWithMaterials) {
+  expect_all_different({
+      {"base_color", [](Scene& s) { s.materials[1].base_color.value.y = 0.5F; }},
+      {"base_color's function", [](Scene& s) { s.materials[1].base_color.function = 0; }},
+      {"opacity", [](Scene& s) { s.materials[0].opacity.value = 0.5F; }},
+      {"opacity's function", [](Scene& s) { s.materials[0].opacity.function = 1; }},
+      {"metallic", [](Scene& s) { s.materials[0].metallic.value = 0.5F; }},
+      {"roughness", [](Scene& s) { s.materials[0].roughness.value = 0.5F; }},
+      {"emission", [](Scene& s) { s.materials[0].emission.value.x = 0.5F; }},
+      {"emission_strength", [](Scene& s) { s.materials[0].emission_strength.value = 0.5F; }},
+      {"base colour's texture", [](Scene& s) { s.materials[0].base_color_texture.texture = 0; }},
+      {"its UV set", [](Scene& s) { s.materials[0].base_color_texture.uv_set = 1; }},
+      {"emission's texture", [](Scene& s) { s.materials[0].emission_texture.texture = 0; }},
+      {"alpha mode", [](Scene& s) { s.materials[0].alpha_mode = AlphaMode::blend; }},
+      {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
+      {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
+      {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
+  });
+}
+
+TEST(Canonical, ChangesWithTemporalFunctions) {
+  const auto intervals = [](Scene& s) -> IntervalFunction& {
+    return std::get<IntervalFunction>(s.functions[0]);
+  };
+  const auto keys = [](Scene& s) -> KeyFunction& { return std::get<KeyFunction>(s.functions[1]); };
+  const auto formula = [](Scene& s) -> FormulaFunction& {
+    return std::get<FormulaFunction>(s.functions[2]);
+  };
+  expect_all_different({
+      {"period", [&](Scene& s) { intervals(s).period = 2; }},
+      {"no period", [&](Scene& s) { intervals(s).period.reset(); }},
+      {"begin", [&](Scene& s) { intervals(s).intervals[0].begin = 1e-9; }},
+      {"end", [&](Scene& s) { intervals(s).intervals[0].end = 0.6; }},
+      {"value", [&](Scene& s) { intervals(s).intervals[0].value.z = 0; }},
+      {"key's time", [&](Scene& s) { keys(s).keys[1].time = 2; }},
+      {"key's value", [&](Scene& s) { keys(s).keys[1].value.x = 2; }},
+      {"keys' period", [&](Scene& s) { keys(s).period = 2; }},
+      {"formula", [&](Scene& s) { formula(s).formulas[0] = "t+1"; }},
+      {"from", [&](Scene& s) { formula(s).from = Vec3f(2); }},
+      {"to", [&](Scene& s) { formula(s).to.reset(); }},
+  });
+}
+
+TEST(Canonical, StaysWithWhatChangesNoPixel) {
+  const std::map<std::string, Change> changes = {
+      {"path", [](Scene& s) { s.output.path = "elsewhere/#.exr"; }},
+      {"preview", [](Scene& s) { s.output.preview = false; }},
+      {"pictures", [](Scene& s) { s.animation.pictures = 100; }},
+      {"sources",
+       [](Scene& s) {
+         s.sources.push_back({"a.glb", "00"});
+       }},  // told apart
+      {"a mesh's name", [](Scene& s) { s.meshes[0].name = "other"; }},
+      {"capacity", [](Scene& s) { s.meshes[0].positions.reserve(100); }},
+  };
+  for (const auto& [what, change] : changes) {
+    EXPECT_EQ(text_after(change), canonical_settings(base())) << what;
+  }
+}
+
+TEST(Canonical, IsOneKeyALine) {
+  std::istringstream lines(canonical_settings(base()));
+  std::string line;
+  int count = 0;
+  while (std::getline(lines, line)) {
+    EXPECT_NE(line.find(" = "), std::string::npos) << line;
+    ++count;
+  }
+  EXPECT_GT(count, 20);
+}
+
+}  // namespace
+}  // namespace restframe

@@ -1,0 +1,291 @@
+// Film samples, the table of layers, and pictures through EXR files and back.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "film/exr_file.h"
+#include "scene/error.h"
+#include "support/exr_reader.h"
+#include "support/temporary_folder.h"
+#include "tracer/film_samples.h"
+
+namespace restframe {
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+TEST(FilmOffsets, BeginAtThePixelsCentre) {
+  for (const int samples : {1, 2, 16, 1000}) {
+    const std::vector<Vec2f> offsets = film_offsets(samples);
+    ASSERT_EQ(offsets.size(), static_cast<std::size_t>(samples));
+    EXPECT_EQ(offsets[0], Vec2f(0));
+  }
+}
+
+TEST(FilmOffsets, AreDistributedAsATentOfRadiusOne) {
+  constexpr int count = 4096;
+  const std::vector<Vec2f> offsets = film_offsets(count);
+  Vec2f sum(0), squares(0);
+  float mixed = 0;
+  int inner = 0;
+  for (const Vec2f& o : offsets) {
+    EXPECT_LT(std::max(std::abs(o.x), std::abs(o.y)), 1.0F);
+    sum += o;
+    squares += o * o;
+    mixed += o.x * o.y;
+    if (std::abs(o.x) < 0.5F) ++inner;
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    EXPECT_NEAR(sum[axis] / count, 0, 2e-3);
+    EXPECT_NEAR(squares[axis] / count, 1.0 / 6, 2e-3);
+  }
+  EXPECT_NEAR(mixed / count, 0, 2e-3);
+  // The integral of 1 - |x| from -1/2 to 1/2.
+  EXPECT_NEAR(double(inner) / count, 0.75, 2e-3);
+}
+
+TEST(FilmOffsets, NoTwoAreTheSame) {
+  std::set<std::pair<float, float>> seen;
+  for (const Vec2f& o : film_offsets(10'000)) seen.emplace(o.x, o.y);
+  EXPECT_EQ(seen.size(), 10'000U);
+}
+
+const std::vector<Layer> all_layers = {Layer::beauty, Layer::z,        Layer::time, Layer::doppler,
+                                       Layer::normal, Layer::position, Layer::uv,   Layer::id};
+
+TEST(Layers, TheTableHasEachOnce) {
+  std::set<Layer> layers;
+  std::set<std::string> names, channels;
+  std::size_t channel_count = 0;
+  for (const LayerInfo& info : layer_table()) {
+    layers.insert(info.layer);
+    names.insert(info.scene_name);
+    for (const DataChannel& channel : info.channels) channels.insert(channel.exr_name);
+    channel_count += info.channels.size();
+  }
+  EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
+  EXPECT_EQ(layer_table().size(), all_layers.size());
+  EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id"}));
+  EXPECT_EQ(channels, (std::set<std::string>{"Z", "time_proper.V", "time_world.V", "doppler.D",
+                                             "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "UV.U",
+                                             "UV.V", "id_object.V", "id_material.V"}));
+  EXPECT_EQ(channels.size(), channel_count);
+}
+
+TEST(Layers, OnlyThoseAskedForHaveChannels) {
+  const std::vector<Layer> two = {Layer::id, Layer::z};
+  const std::vector<DataChannel> channels = data_channels(two);
+  ASSERT_EQ(channels.size(), 3U);
+  EXPECT_STREQ(channels[0].exr_name, "Z");
+  EXPECT_STREQ(channels[1].exr_name, "id_object.V");
+  const Picture picture(4, 3, two, {});
+  EXPECT_FALSE(picture.has_beauty());
+  EXPECT_TRUE(picture.has_data());
+  const std::vector<Layer> beauty = {Layer::beauty};
+  EXPECT_FALSE(Picture(4, 3, beauty, {}).has_data());
+}
+
+SurfaceData surface() {
+  SurfaceData data;
+  data.hit = true;
+  data.object = 2;
+  data.material = 4;
+  data.distance = 3.5;
+  data.time_proper = -1.25;
+  data.time_world = 7.75;
+  data.doppler = 1.5;
+  data.position = {0.5, -0.25, 2};
+  data.normal = {0, 0.6, -0.8};
+  data.uv = {0.125, 0.875};
+  return data;
+}
+
+struct Written {
+  WriteReport report;
+  ExrPicture exr;
+};
+
+Written written(const Picture& picture, const PictureInfo& info = {}) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "picture.exr";
+  const WriteReport report = write_exr(path, picture, info);
+  return {report, read_exr(path)};
+}
+
+TEST(Exr, HoldsWhatWasSet) {
+  Picture picture(3, 2, all_layers, {2.0});  // lengths are twice as long in scene units
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 3; ++x) picture.set_data(x, y, {});
+  }
+  picture.set_radiance(2, 1, {0.5F, 0.25F, 2.0F, 1.0F});
+  picture.set_data(2, 1, surface());
+  const ExrPicture exr = written(picture).exr;
+  EXPECT_EQ(exr.width, 3);
+  EXPECT_EQ(exr.height, 2);
+  const std::map<std::string, float> expected = {{"R", 0.5F},
+                                                 {"G", 0.25F},
+                                                 {"B", 2.0F},
+                                                 {"A", 1.0F},
+                                                 {"Z", 7.0F},
+                                                 {"time_proper.V", -1.25F},
+                                                 {"time_world.V", 7.75F},
+                                                 {"doppler.D", 1.5F},
+                                                 {"P.X", 1.0F},
+                                                 {"P.Y", -0.5F},
+                                                 {"P.Z", 4.0F},
+                                                 {"N.X", 0.0F},
+                                                 {"N.Y", 0.6F},
+                                                 {"N.Z", -0.8F},
+                                                 {"UV.U", 0.125F},
+                                                 {"UV.V", 0.875F},
+                                                 {"id_object.V", 3.0F},
+                                                 {"id_material.V", 5.0F}};
+  EXPECT_EQ(exr.channels.size(), expected.size());
+  for (const auto& [name, value] : expected) {
+    EXPECT_EQ(exr.at(name, 2, 1), value) << name;
+    EXPECT_EQ(exr.at(name, 0, 1), name == "Z" ? inf : 0.0F) << name;
+  }
+}
+
+Picture one_row(const std::vector<Vec4f>& pixels) {
+  Picture picture(static_cast<int>(pixels.size()), 1, std::vector<Layer>{Layer::beauty}, {});
+  for (int x = 0; x < picture.width(); ++x) {
+    picture.set_radiance(x, 0, pixels[static_cast<std::size_t>(x)]);
+  }
+  return picture;
+}
+
+TEST(Exr, ABeautyOfHalvesClampsAndCounts) {
+  const Written out = written(one_row({{65504, 65505, 1e30F, inf}, {-inf, -1e5F, nan, 0.1F}}));
+  EXPECT_EQ(out.report.clamped, 6U);
+  EXPECT_EQ(out.exr.at("R", 0, 0), 65504.0F);
+  EXPECT_EQ(out.exr.at("G", 0, 0), 65504.0F);
+  EXPECT_EQ(out.exr.at("B", 0, 0), 65504.0F);
+  EXPECT_EQ(out.exr.at("A", 0, 0), 65504.0F);
+  EXPECT_EQ(out.exr.at("R", 1, 0), -65504.0F);
+  EXPECT_EQ(out.exr.at("G", 1, 0), -65504.0F);
+  EXPECT_EQ(out.exr.at("B", 1, 0), 0.0F);
+  EXPECT_NEAR(out.exr.at("A", 1, 0), 0.1F, 1e-4);
+}
+
+TEST(Exr, ABeautyOfFloatsKeepsWhatHalvesCannot) {
+  PictureInfo info;
+  info.float_beauty = true;
+  const Written out = written(one_row({{39600.25F, 1e30F, inf, nan}}), info);
+  EXPECT_EQ(out.report.clamped, 2U);
+  EXPECT_EQ(out.exr.at("R", 0, 0), 39600.25F);
+  EXPECT_EQ(out.exr.at("G", 0, 0), 1e30F);
+  EXPECT_EQ(out.exr.at("B", 0, 0), std::numeric_limits<float>::max());
+  EXPECT_EQ(out.exr.at("A", 0, 0), 0.0F);
+}
+
+// Two hits whose clocks are these; the third pixel hits nothing.
+ExrPicture with_clocks(double a, double b) {
+  Picture picture(3, 1, std::vector<Layer>{Layer::time}, {});
+  SurfaceData data = surface();
+  data.time_proper = a;
+  picture.set_data(0, 0, data);
+  data.time_proper = b;
+  picture.set_data(1, 0, data);
+  picture.set_data(2, 0, {});
+  return written(picture).exr;
+}
+
+TEST(Exr, LargeTimesHaveAnOrigin) {
+  const ExrPicture exr = with_clocks(1e9 + 0.125, 1e9 + 10.25);
+  std::istringstream origins(exr.attributes.at("timeOrigin"));
+  double proper = 0;
+  double world = 0;
+  ASSERT_TRUE(origins >> proper >> world);
+  EXPECT_EQ(proper + static_cast<double>(exr.at("time_proper.V", 0, 0)), 1e9 + 0.125);
+  EXPECT_EQ(proper + static_cast<double>(exr.at("time_proper.V", 1, 0)), 1e9 + 10.25);
+  EXPECT_EQ(exr.at("time_proper.V", 2, 0), 0.0F);
+  EXPECT_EQ(world, 0.0);  // those are small
+  EXPECT_EQ(exr.at("time_world.V", 0, 0), 7.75F);
+}
+
+TEST(Exr, SmallTimesHaveNone) {
+  const ExrPicture exr = with_clocks(-3.5, 100.25);
+  EXPECT_EQ(exr.attributes.at("timeOrigin"), "0 0");
+  EXPECT_EQ(exr.at("time_proper.V", 0, 0), -3.5F);
+  EXPECT_EQ(exr.at("time_proper.V", 1, 0), 100.25F);
+}
+
+TEST(Exr, TheHeaderSaysWhatMadeIt) {
+  PictureInfo info;
+  info.number = 7;
+  info.camera_time = 0.75;
+  info.pose.world_from_camera =
+      Boost<in::Camera, in::World>(Velocity::from_beta({0, 0, -0.5})).inverse();
+  info.object_names = {"one", "Zwei Bälle"};
+  info.material_names = {"paint"};
+  info.texts = {{"samples", "16"}, {"longer", "two\nlines"}};
+  const auto attributes = written(one_row({Vec4f(0)}), info).exr.attributes;
+  EXPECT_EQ(attributes.at("pictureNumber"), "7");
+  EXPECT_EQ(attributes.at("cameraTime"), "0.75");
+  std::istringstream velocity(attributes.at("cameraVelocity"));
+  double x = 1, y = 1, z = 1;
+  velocity >> x >> y >> z;
+  EXPECT_NEAR(glm::length(Vec3(x, y, z) - Vec3(0, 0, -0.5)), 0, 1e-15);
+  EXPECT_EQ(attributes.at("depthType"), "distance");
+  EXPECT_EQ(attributes.at("objectNames"), "one\nZwei Bälle");
+  EXPECT_EQ(attributes.at("materialNames"), "paint");
+  EXPECT_EQ(attributes.at("samples"), "16");
+  EXPECT_EQ(attributes.at("longer"), "two\nlines");
+  for (const char* name : {"framesPerSecond", "worldToCamera", "worldToNDC", "chromaticities"}) {
+    EXPECT_TRUE(attributes.contains(name)) << name;
+  }
+}
+
+TEST(Exr, EveryCompressionWritesAndReads) {
+  const std::array names = {"none", "rle", "zips", "zip", "piz", "pxr24", "dwaa", "dwab"};
+  Picture picture(70, 50, all_layers, {});
+  for (int y = 0; y < 50; ++y) {
+    for (int x = 0; x < 70; ++x) {
+      picture.set_radiance(x, y, {0.25F, 0.5F, 0.75F, 1.0F});
+      SurfaceData data = surface();
+      data.distance = 1.0 + x;
+      picture.set_data(x, y, data);
+    }
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    PictureInfo info;
+    info.compression = static_cast<Compression>(i);
+    const ExrPicture exr = written(picture, info).exr;
+    EXPECT_EQ(exr.attributes.at("compression"), names[i]);
+    EXPECT_NEAR(exr.at("R", 60, 40), 0.25F, 0.01) << names[i];
+    EXPECT_NEAR(exr.at("Z", 60, 40), 61.0F, 0.01) << names[i];
+    EXPECT_NEAR(exr.at("id_object.V", 60, 40), 3.0F, 1e-3) << names[i];
+  }
+}
+
+TEST(Exr, ATextIsReadBackFromACompleteFileOnly) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "picture.exr";
+  PictureInfo info;
+  info.texts = {{"note", "here"}};
+  write_exr(path, one_row({Vec4f(0.5F)}), info);
+  EXPECT_EQ(exr_text(path, "note"), "here");
+  EXPECT_EQ(exr_text(path, "other"), "");
+  EXPECT_EQ(exr_text(folder.path() / "none.exr", "note"), "");
+  EXPECT_EQ(exr_text(folder.path(), "note"), "");
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  EXPECT_EQ(exr_text(path, "note"), "");
+}
+
+TEST(Exr, AFolderThatIsNotThereIsAnOutputError) {
+  const TemporaryFolder folder;
+  folder.write("file", "x");
+  EXPECT_THROW(write_exr(folder.path() / "file" / "picture.exr", one_row({Vec4f(0)}), {}),
+               OutputError);
+}
+
+}  // namespace
+}  // namespace restframe
