@@ -28,18 +28,27 @@ int author_lattice(const LatticeOptions& options) {
   return 0;
 }
 
-int check(const CheckOptions& options, const ImportLimits& limits) {
+void throw_faults(const Scene& scene, const std::string& file) {
+  std::vector<std::string> faults = validate(scene);
+  for (std::string& fault : faults) fault.insert(0, file + ": ");
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+Scene loaded_scene(const std::string& file, const ImportLimits& limits) {
   Warnings warnings;
-  std::vector<std::string> faults;
-  try {
-    const Scene scene = load_scene(options.file, limits, warnings);
-    for (const std::string& fault : validate(scene)) faults.push_back(options.file + ": " + fault);
-  } catch (const InputError& error) {
-    faults = error.faults();
-  }
+  Scene scene = load_scene(file, limits, warnings);
   for (const std::string& warning : warnings) report_warning(warning);
-  for (const std::string& fault : faults) report_error(fault);
-  if (!faults.empty()) return 2;
+  throw_faults(scene, file);
+  return scene;
+}
+
+int check(const CheckOptions& options, const ImportLimits& limits) {
+  try {
+    loaded_scene(options.file, limits);
+  } catch (const InputError& error) {
+    for (const std::string& fault : error.faults()) report_error(fault);
+    return 2;
+  }
   fmt::print("{}: no fault found\n", options.file);
   return 0;
 }

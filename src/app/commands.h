@@ -7,6 +7,12 @@ namespace restframe {
 // Each returns the exit code, or throws what main turns into one.
 int run(const Options& options);
 
+// A scene or asset that can be rendered; its warnings are on standard error. Throws InputError with every fault.
+Scene loaded_scene(const std::string& file, const ImportLimits& limits);
+
+// Throws InputError with every fault that validate() finds, each with the file's name.
+void throw_faults(const Scene& scene, const std::string& file);
+
 int render(const RenderOptions& options, const ImportLimits& limits);
 int author_lattice(const LatticeOptions& options);
 int info(const InfoOptions& options, const ImportLimits& limits);

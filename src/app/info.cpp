@@ -87,12 +87,7 @@ void print_materials(const Scene& scene) {
 }  // namespace
 
 int info(const InfoOptions& options, const ImportLimits& limits) {
-  Warnings warnings;
-  const Scene scene = load_scene(options.file, limits, warnings);
-  for (const std::string& warning : warnings) report_warning(warning);
-  const std::vector<std::string> faults = validate(scene);
-  if (!faults.empty()) throw InputError(options.file + ": " + faults.front());
-
+  const Scene scene = loaded_scene(options.file, limits);
   const FrameSet frames(scene, thread_count());
   std::size_t stored = 0;
   for (const Mesh& mesh : scene.meshes) stored += mesh.triangles.size();

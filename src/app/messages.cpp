@@ -4,7 +4,9 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
+#include <memory>
+
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -18,21 +20,13 @@ spdlog::logger& log() {
   return *logger;
 }
 
-// Names from files may hold line breaks and control characters; a message stays one line.
-std::string one_line(std::string message) {
-  std::replace_if(
-      message.begin(), message.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-  return message;
-}
-
 }  // namespace
 
 void report_error(const std::string& message) {
-  log().error("{}", one_line(message));
+  log().error("{}", on_one_line(message));
 }
 void report_warning(const std::string& message) {
-  log().warn("{}", one_line(message));
+  log().warn("{}", on_one_line(message));
 }
 
 void report_faults(const std::vector<std::string>& faults) {

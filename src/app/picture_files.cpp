@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "app/render_picture.h"
@@ -87,11 +88,8 @@ std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool 
   return numbers;
 }
 
-PictureInfo picture_info(const Scene& scene, int number) {
+PictureInfo common_info(const Scene& scene) {
   PictureInfo info;
-  info.number = number;
-  info.camera_time = picture_time(scene.animation, number);
-  info.pose = pose_at(scene.camera, info.camera_time);
   info.light_speed = scene.light_speed;
   info.vertical_fov = scene.camera.vertical_fov;
   info.rate = scene.animation.rate;
@@ -105,6 +103,13 @@ PictureInfo picture_info(const Scene& scene, int number) {
                 {settings_attribute, canonical_settings(scene)},
                 {sources_attribute, sources_text(scene)}};
   return info;
+}
+
+PictureInfo picture_info(PictureInfo common, const Scene& scene, int number) {
+  common.number = number;
+  common.camera_time = picture_time(scene.animation, number);
+  common.pose = pose_at(scene.camera, common.camera_time);
+  return common;
 }
 
 }  // namespace restframe

@@ -17,7 +17,8 @@ std::filesystem::path picture_path(const std::string& pattern, int number, bool 
 // picture of another scene is an InputError that says what differs; `overwrite` makes all again.
 std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool overwrite);
 
-// What the header of a picture says.
-PictureInfo picture_info(const Scene& scene, int number);
+// What the header says: of all pictures of a scene, and of one.
+PictureInfo common_info(const Scene& scene);
+PictureInfo picture_info(PictureInfo common, const Scene& scene, int number);
 
 }  // namespace restframe

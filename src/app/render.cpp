@@ -40,16 +40,13 @@ struct Job {
 };
 
 Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
-  Warnings warnings;
-  Scene scene = load_scene(options.scene, limits, warnings);
-  for (const std::string& warning : warnings) report_warning(warning);
+  Scene scene = loaded_scene(options.scene, limits);
   apply(options, scene);
   const PictureRange range = range_of(options, scene.animation);
   Job job{std::move(scene), range};
   // A single picture needs no number in its name.
   if (job.single()) job.scene.animation.pictures = 1;
-  const std::vector<std::string> faults = validate(job.scene);
-  if (!faults.empty()) throw InputError(options.scene + ": " + faults.front());
+  throw_faults(job.scene, options.scene);
   if (!job.scene.camera_given) {
     job.scene.camera = framing_camera(job.scene, job.scene.animation.start);
   }
@@ -70,13 +67,14 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
                               [&](std::size_t samples) { progress.samples_done(samples); }};
   // One is rendered while the other is written.
   std::vector<Picture> pictures(std::min<std::size_t>(numbers.size(), 2), blank_picture(scene));
+  const PictureInfo common = common_info(scene);
   PictureWriter writer(scene.output.preview);
   std::size_t empty = 0;
   std::size_t current = 0;
   for (const int number : numbers) {
     render_picture(context, number, pictures[current]);
     writer.write(picture_path(scene.output.path, number, single), pictures[current],
-                 picture_info(scene, number));
+                 picture_info(common, scene, number));
     progress.picture_done();
     if (pictures[current].shows_nothing()) ++empty;
     current = (current + 1) % pictures.size();

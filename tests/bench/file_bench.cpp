@@ -80,7 +80,7 @@ void animation(benchmark::State& state) {
   render_all(state,
              [](const Scene& scene, int number, const Picture& picture, PictureWriter& writer) {
                writer.write(picture_path(scene.output.path, number, false), picture,
-                            picture_info(scene, number));
+                            picture_info(common_info(scene), scene, number));
              });
 }
 
