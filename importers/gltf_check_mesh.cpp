@@ -120,11 +120,12 @@ void check_primitive(const Place& primitive, const Place& document, bool quantiz
   totals.bytes += triangles * sizeof(Triangle) + vertices * (sizeof(Vec3f) + sizeof(Vec3f));
   const ImportLimits& limits = document.context().limits;
   if (totals.triangles > limits.triangles) {
-    primitive.fault("more than " + std::to_string(limits.triangles) + " triangles in all");
+    primitive.fault("more than " + std::to_string(limits.triangles) +
+                    " triangles in all; --max-triangles raises the limit");
   }
   if (totals.bytes > limits.total_bytes) {
     primitive.fault("geometry of more than " + std::to_string(limits.total_bytes) +
-                    " bytes in all");
+                    " bytes in all; --max-bytes raises the limit");
   }
 }
 

@@ -164,7 +164,8 @@ void check_nodes(const Place& document) {
   Parents parents(count_of(document, "nodes"), -1);
   if (parents.size() > limit) {
     document.member("nodes").fault("has " + std::to_string(parents.size()) +
-                                   " nodes, the limit is " + std::to_string(limit));
+                                   " nodes, the limit is " + std::to_string(limit) +
+                                   "; --max-nodes raises it");
   }
   std::size_t index = 0;
   std::uint64_t instances = 0;
@@ -173,7 +174,8 @@ void check_nodes(const Place& document) {
     check_children(node, index++, parents);
     instances += check_instances(node, document);
     if (instances > limit) {
-      node.fault("more than " + std::to_string(limit) + " instances and nodes in all");
+      node.fault("more than " + std::to_string(limit) +
+                 " instances and nodes in all; --max-nodes raises the limit");
     }
   });
   if (!parents.empty()) {

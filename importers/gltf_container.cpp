@@ -23,7 +23,7 @@ std::string bytes_text(std::size_t count) {
 void check_json_size(const GltfContext& context, std::size_t size) {
   if (size <= context.limits.json_bytes) return;
   context.fault("", "JSON of " + bytes_text(size) + ", the limit is " +
-                        bytes_text(context.limits.json_bytes));
+                        bytes_text(context.limits.json_bytes) + "; --max-json-bytes raises it");
 }
 
 void check_header(const GltfContext& context, const std::uint8_t* header, std::size_t size) {

@@ -61,7 +61,8 @@ Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& wh
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (pixels > limits.image_pixels) {
     throw InputError(what + ": image of " + std::to_string(width) + " x " + std::to_string(height) +
-                     " pixels, the limit is " + std::to_string(limits.image_pixels) + " pixels");
+                     " pixels, the limit is " + std::to_string(limits.image_pixels) +
+                     " pixels; --max-image-pixels raises it");
   }
   // 16 bits a channel, a filter byte a row, and buffers that double as they grow.
   largest_allocation = 20 * (pixels + static_cast<std::size_t>(height)) + bytes.size() + (1 << 20);

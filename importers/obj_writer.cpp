@@ -49,8 +49,8 @@ void write_faces(AtomicFile& file, const Asset& asset) {
 // Roughness and metallic are those of the format's widespread PBR extension.
 std::string as_mtl(const Material& material) {
   const Vec3f& color = material.base_color.value;
-  return fmt::format("newmtl {}\nKd {} {} {}\nd {}\nPr {}\nPm {}\n", material.name,
-                     color.x, color.y, color.z, material.opacity.value, material.roughness.value,
+  return fmt::format("newmtl {}\nKd {} {} {}\nd {}\nPr {}\nPm {}\n", material.name, color.x,
+                     color.y, color.z, material.opacity.value, material.roughness.value,
                      material.metallic.value);
 }
 

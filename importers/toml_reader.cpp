@@ -98,6 +98,8 @@ std::optional<std::string> TableReader::one_of(const std::vector<std::string>& k
 void TableReader::not_supported(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) {
     if (has(key)) not_supported(key_place(key), key);
+    // Never to be proposed in place of a misspelt one.
+    if (!has(key)) std::erase(known_, key);
   }
 }
 
@@ -122,8 +124,9 @@ TextPosition TableReader::key_place(const std::string& key) const {
 void TableReader::finish() {
   for (const ConfigEntry& entry : table_.entries) {
     if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
-    report(entry.key_at, fmt::format("unknown key \"{}\", the nearest known one is \"{}\"",
-                                     entry.key, nearest(entry.key, known_)));
+    report(entry.key_at,
+           fmt::format("unknown key \"{}\", the nearest known one is \"{}\" (known here: {})",
+                       entry.key, nearest(entry.key, known_), fmt::join(known_, ", ")));
   }
 }
 

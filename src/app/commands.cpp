@@ -6,7 +6,6 @@
 #include "scene/error.h"
 
 namespace restframe {
-
 int run(const Options& options) {
   struct Dispatch {
     const ImportLimits& limits;
@@ -22,6 +21,10 @@ int author_lattice(const LatticeOptions& options) {
   const std::vector<std::string> faults = lattice_faults(options.lattice);
   if (!faults.empty()) throw InputError("lattice: " + faults.front());
   write_lattice(options.lattice, options.instances, options.output);
+  const bool flat = options.instances == InstanceMode::none || options.output.ends_with(".obj");
+  fmt::print("{}: a lattice of {} balls and rods, {} triangles{}\n", options.output,
+             lattice_parts(options.lattice), lattice_triangles(options.lattice),
+             flat ? ", one mesh" : ", instanced");
   return 0;
 }
 

@@ -66,10 +66,10 @@ void print_frame(const Scene& scene, const RestFrame& frame, std::size_t number)
     last = part.object;
     const Object& object = scene.objects[static_cast<std::size_t>(last)];
     const Bounds bounds = object_bounds(scene, object);
-    fmt::print("  {}: {}, {}, from {} to {} around {}\n", object.name,
+    fmt::print("  {}: {}, {}, {} to {}, size {}, placed at {}\n", object.name,
                count_of(object.parts.size(), "mesh placed", "meshes placed"),
                count_of(triangles_of(scene, object), "triangle", "triangles"),
-               text_of(bounds.lower), text_of(bounds.upper),
+               text_of(bounds.lower), text_of(bounds.upper), text_of(bounds.extent()),
                text_of(object.worldline.reference.x * scene.light_speed));
   }
 }

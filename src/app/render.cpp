@@ -71,21 +71,40 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
   // One is rendered while the other is written.
   std::vector<Picture> pictures(std::min<std::size_t>(numbers.size(), 2), blank_picture(scene));
   PictureWriter writer(scene.output.preview);
+  std::size_t empty = 0;
   std::size_t current = 0;
   for (const int number : numbers) {
     render_picture(context, number, pictures[current]);
     writer.write(picture_path(scene.output.path, number, single), pictures[current],
                  picture_info(scene, number));
     progress.picture_done();
+    if (pictures[current].shows_nothing()) ++empty;
     current = (current + 1) % pictures.size();
   }
   writer.finish();
+  if (empty > 0) {
+    report_warning(
+        fmt::format("{} of {} pictures show nothing: the camera meets no object there, as it "
+                    "sees them",
+                    empty, numbers.size()));
+  }
   if (writer.clamped_values() > 0) {
     report_warning(
         fmt::format("{} values of the beauty were not finite or beyond what the file "
                     "holds, and were clamped",
                     writer.clamped_values()));
   }
+}
+
+void print_result(const Job& job, std::size_t made) {
+  const auto count = static_cast<std::size_t>(job.range.last - job.range.first + 1);
+  const auto path = [&](int number) {
+    return picture_path(job.scene.output.path, number, job.single()).string();
+  };
+  fmt::print("{} of {} pictures made{}: {}{}{}\n", made, count,
+             made < count ? fmt::format(", {} were there already", count - made) : "",
+             path(job.range.first), job.single() ? "" : " to " + path(job.range.last),
+             job.scene.output.preview ? ", a .png beside each" : "");
 }
 
 }  // namespace
@@ -99,12 +118,7 @@ int render(const RenderOptions& options, const ImportLimits& limits) {
   if (!numbers.empty()) {
     render_pictures(scene, numbers, job.single(), options.quiet, thread_count());
   }
-  if (!options.quiet) {
-    const int count = range.last - range.first + 1;
-    const int kept = count - static_cast<int>(numbers.size());
-    fmt::print("{} of {} pictures made{}: {}\n", numbers.size(), count,
-               kept > 0 ? fmt::format(", {} were there already", kept) : "", scene.output.path);
-  }
+  if (!options.quiet) print_result(job, numbers.size());
   return 0;
 }
 

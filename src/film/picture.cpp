@@ -19,6 +19,11 @@ Picture::Picture(int width, int height, std::span<const Layer> layers, const Dat
   }
 }
 
+bool Picture::shows_nothing() const {
+  return has_beauty() && std::all_of(rgba_.begin(), rgba_.end(),
+                                     [](const Vec4f& pixel) { return pixel.w == 0.0F; });
+}
+
 void Picture::set_data(int x, int y, const SurfaceData& data) {
   const std::size_t i = index(x, y);
   for (ChannelPixels& pixels : channels_) {

@@ -23,6 +23,8 @@ class Picture {
   int height() const { return height_; }
   bool has_beauty() const { return !rgba_.empty(); }
   bool has_data() const { return !channels_.empty(); }
+  // No pixel of the beauty is covered by anything.
+  bool shows_nothing() const;
   const std::vector<Vec4f>& rgba() const { return rgba_; }
   const std::vector<ChannelPixels>& channels() const { return channels_; }
 
