@@ -71,6 +71,7 @@ std::array<Scene, 3> three_ways(const Mesh& mesh, const Object& object) {
 
 TEST(Hits, DoNotDependOnHowAMeshIsHeld) {
   Object object = object_of(0, {0, 0, -6}, {0.1, -0.2, 0.7});
+  object.worldline.reference.t = -6;  // its centre is seen there at time 0
   object.clock = 0.75;
   object.parts[0].object_from_mesh =
       glm::rotate(glm::scale(Mat4(1), Vec3(1.5)), 0.8, glm::normalize(Vec3(1, 2, 3)));

@@ -67,6 +67,18 @@ double traversal_unit(const Bounds& bounds) {
   return size == 0.0 || (size > smallest && size < largest) ? 1.0 : size;
 }
 
+// Embree scales a ray's direction by the inverse, which its asserts bear up to 1.8e18.
+bool can_be_instanced(const Mat4& traversal_from_local) {
+  constexpr double greatest_ratio = 1e9;
+  const Mat3 linear(traversal_from_local);
+  for (int column = 0; column < 3; ++column) {
+    const double length = glm::length(linear[column]);
+    if (!(length > 1.0 / greatest_ratio && length < greatest_ratio)) return false;
+  }
+  return std::abs(glm::determinant(linear)) >
+         1.0 / greatest_ratio / greatest_ratio / greatest_ratio;
+}
+
 EmbreeGeometry instance_geometry(const EmbreeDevice& device, RTCScene instanced, const Mat4& to) {
   EmbreeGeometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
   rtcSetGeometryInstancedScene(geometry.get(), instanced);
@@ -133,7 +145,8 @@ void RestFrame::build_many(const EmbreeDevice& device, std::span<const Traversab
     part.traversal_from_local =
         traversal_from_rest * part.rest_from_mesh * translation(mesh.offset);
     EmbreeGeometry geometry;
-    if (uses_of_mesh[static_cast<std::size_t>(part.mesh)] > 1) {
+    if (uses_of_mesh[static_cast<std::size_t>(part.mesh)] > 1 &&
+        can_be_instanced(part.traversal_from_local)) {
       part.instanced = true;
       octants_hold_ = octants_hold_ && keeps_octants(Mat3(part.traversal_from_local));
       part.positions = mesh.positions();

@@ -111,9 +111,12 @@ void add_material(Listing& list, const Material& m, const std::string& key) {
   number(".roughness", m.roughness);
   color(".emission", m.emission);
   number(".emission_strength", m.emission_strength);
-  list.add(key + ".textures",
-           fmt::format("{} {} {}", m.base_color_texture.texture, m.emission_texture.texture,
-                       m.metallic_roughness_texture.texture));
+  std::string textures;
+  for (const TextureUse& use :
+       {m.base_color_texture, m.emission_texture, m.metallic_roughness_texture}) {
+    textures += fmt::format("{} uv {} ", use.texture, use.uv_set);
+  }
+  list.add(key + ".textures", textures);
   list.add(key + ".flags", fmt::format("{} {} {} {}", static_cast<int>(m.alpha_mode),
                                        m.alpha_cutoff, m.double_sided, m.unlit));
 }
