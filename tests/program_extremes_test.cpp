@@ -12,7 +12,9 @@ namespace restframe {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::AnyOf;
 using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
 using ::testing::Not;
 
 constexpr const char* ball = "[[object]]\nname = \"ball\"\nsphere = {fineness = 1}\n";

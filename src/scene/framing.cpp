@@ -136,7 +136,8 @@ View best_view(const std::vector<Outline>& outlines, double start, double half_w
     for (const Vec3& point : outline.points) all.add(outline.worldline.reference.x + point);
     latest = std::max(latest, outline.worldline.reference.t);
   }
-  const double size = std::max(glm::length(all.extent()), 1e-12);
+  const double extent = glm::length(all.extent());
+  const double size = extent > 0.0 ? extent : 1.0;
   View best;
   for (double distance = 0.05 * size; distance < 100.0 * size; distance *= 1.03) {
     View view;
