@@ -89,7 +89,8 @@ void render_block(const PictureView& view, const Block& block, TemporalEvaluator
   const int samples = picture.has_beauty() ? view.context.scene.render.samples : 1;
   RadianceLanes sum;
   sum.fill(Vec4f(0));
-  PacketId id = block_id(view, block);
+  PacketId id;
+  if (picture.has_data()) id = block_id(view, block);  // only they draw random numbers
   for (int sample = 0; sample < samples; ++sample) {
     id.sample = static_cast<std::uint32_t>(sample);
     Lanes<double> film_x, film_y;

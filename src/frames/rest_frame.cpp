@@ -48,15 +48,19 @@ bool keeps_octants(const Mat3& linear) {
   return true;
 }
 
-// The inverse transpose, its largest entry brought to 1 or -1: however small or large the mesh is placed,
-// floats hold it and the squares of what it gives.
-glm::mat3 normal_matrix(const Mat3& linear) {
-  const Mat3 m = glm::transpose(glm::inverse(linear));
+double largest_entry(const Mat3& m) {
   double largest = 0;
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
   }
-  return glm::mat3(m / largest);
+  return largest;
+}
+
+// The inverse transpose, its largest entry brought to 1 or -1: however small or large the mesh is placed,
+// floats hold it and the squares of what it gives.
+glm::mat3 normal_matrix(const Mat3& linear) {
+  const Mat3 m = glm::transpose(glm::inverse(linear));
+  return glm::mat3(m / largest_entry(m));
 }
 
 // Triangles much smaller or larger than this, in traversal coordinates, are lost in Embree's floats.
@@ -169,6 +173,7 @@ void RestFrame::set_traversal(const Mat4& rest_from_traversal) {
   rest_from_traversal_linear_ = Mat3(rest_from_traversal);
   rest_from_traversal_offset_ = Vec3(rest_from_traversal[3]);
   traversal_from_rest_linear_ = glm::inverse(rest_from_traversal_linear_);
+  traversal_scale_ = largest_entry(traversal_from_rest_linear_);
   traversal_is_turned_ = rest_from_traversal_linear_ != Mat3(1);
 }
 

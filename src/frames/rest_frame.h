@@ -82,7 +82,8 @@ class RestFrame {
   Bounds bounds_;                 // traversal coordinates
   Mat3 rest_from_traversal_linear_{1}, traversal_from_rest_linear_{1};
   Vec3 rest_from_traversal_offset_{0};
-  bool octants_hold_ = true;          // rays of one octant stay so inside every instance
+  double traversal_scale_ = 1;  // the longest that a unit vector of the rest frame gets, about
+  bool octants_hold_ = true;    // rays of one octant stay so inside every instance
   bool traversal_is_turned_ = false;  // or scaled: the linear part is not the identity
 };
 

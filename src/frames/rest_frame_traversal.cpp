@@ -12,10 +12,11 @@ namespace {
 // A packet in the traversal coordinates of one rest frame.
 struct LocalRays {
   Lanes<double> rest_t;
-  WaveVectorLanes<in::Rest> rest_k;
+  Lanes<double> rest_k_t;
   Vec3fLanes sight;
   Vec3Lanes origin, k;
   Lanes<double> s_enter, s_leave;  // where the ray is within the frame's bounds
+  Lanes<double> inverse_omega;     // one over the light's frequency here
   Lanes<double> s_of_unit;         // s for one unit of Embree's ray parameter
   Lanes<std::int32_t> active;
 };
@@ -56,19 +57,19 @@ bool any_active(const Lanes<std::int32_t>& active) {
 }
 
 // The origin moves to where the ray enters the bounds, so that floats only hold what is inside. The
-// direction is scaled to a largest component of 1: high velocities, and meshes placed in small, make k
-// longer than floats and Embree's asserts bear. A ray that is not in their range after that is dropped.
-void narrow(LocalRays& local, RTCRayHit16& query) {
+// direction is scaled to unit frequency and by the frame's `scale`: high velocities, and meshes placed in
+// small, make k longer than floats and Embree's asserts bear. A ray that is not in their range after that is
+// dropped.
+void narrow(double scale, LocalRays& local, RTCRayHit16& query) {
   constexpr double largest = 1e18;
+  const double inverse_scale = 1.0 / scale;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const double s = local.s_enter[i];
     const double x = local.origin.x[i] + s * local.k.x[i];
     const double y = local.origin.y[i] + s * local.k.y[i];
     const double z = local.origin.z[i] + s * local.k.z[i];
-    const double longest =
-        std::max(std::abs(local.k.x[i]), std::max(std::abs(local.k.y[i]), std::abs(local.k.z[i])));
-    const double unit = 1.0 / longest;
+    const double unit = local.inverse_omega[i] * inverse_scale;
     const bool fits = std::abs(x) < largest && std::abs(y) < largest && std::abs(z) < largest &&
                       unit > 0.0 && unit < 1e300;
     local.s_of_unit[i] = unit;
@@ -80,7 +81,7 @@ void narrow(LocalRays& local, RTCRayHit16& query) {
     query.ray.dir_y[i] = static_cast<float>(local.k.y[i] * unit);
     query.ray.dir_z[i] = static_cast<float>(local.k.z[i] * unit);
     query.ray.tnear[i] = 0.0F;
-    query.ray.tfar[i] = static_cast<float>((local.s_leave[i] - s) * longest);
+    query.ray.tfar[i] = static_cast<float>((local.s_leave[i] - s) * (-local.rest_k_t[i] * scale));
     query.ray.time[i] = 0.0F;
     query.ray.mask[i] = ~0U;
     query.ray.id[i] = 0U;
@@ -127,7 +128,7 @@ void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, 
     replace(hit, hits.s[i],
             local.s_enter[i] + static_cast<double>(query.ray.tfar[i]) * local.s_of_unit[i]);
     replace(hit, hits.rest_t[i], local.rest_t[i]);
-    replace(hit, hits.rest_k_t[i], local.rest_k.t[i]);
+    replace(hit, hits.rest_k_t[i], local.rest_k_t[i]);
     replace(hit, hits.origin.x[i], local.origin.x[i]);
     replace(hit, hits.origin.y[i], local.origin.y[i]);
     replace(hit, hits.origin.z[i], local.origin.z[i]);
@@ -137,15 +138,7 @@ void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, 
   }
 }
 
-// Linear maps commute with s: transform the origin as a point and k as a vector.
-void shift_to_traversal(const Vec3& offset, LocalRays& local) {
-#pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) {
-    local.origin.set(i, local.origin.at(i) - offset);
-    local.k.set(i, local.rest_k.x.at(i));
-  }
-}
-
+// Linear maps commute with s: origins turn as points, wave vectors as vectors.
 void turn_to_traversal(const Mat3& linear, LocalRays& local) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
@@ -163,20 +156,24 @@ void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits)
     const Displacement<in::Rest> from_anchor =
         coordinates_.from_world(rays.origin.at(i) - coordinates_.anchor);
     local.rest_t[i] = from_anchor.t;
-    local.origin.set(i, from_anchor.x);
+    local.origin.set(i, from_anchor.x - rest_from_traversal_offset_);
   }
-  transform(coordinates_.from_world, rays.k, local.rest_k);
+  WaveVectorLanes<in::Rest> rest_k;
+  transform(coordinates_.from_world, rays.k, rest_k);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    local.sight.set(i, Vec3f(sight_direction(local.rest_k.at(i))));
+    const double inverse_omega = -1.0 / rest_k.t[i];
+    local.rest_k_t[i] = rest_k.t[i];
+    local.inverse_omega[i] = inverse_omega;
+    local.k.set(i, rest_k.x.at(i));
+    local.sight.set(i, Vec3f(rest_k.x.at(i) * inverse_omega));
   }
-  shift_to_traversal(rest_from_traversal_offset_, local);
   if (traversal_is_turned_) turn_to_traversal(traversal_from_rest_linear_, local);
   clip_to_bounds(bounds_, rays, hits, local);
   if (!any_active(local.active)) return;
 
   RTCRayHit16 query;
-  narrow(local, query);
+  narrow(traversal_scale_, local, query);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = octants_hold_ && share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT

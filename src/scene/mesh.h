@@ -54,10 +54,14 @@ std::size_t count_degenerate(const Mesh& mesh);
 // its triangles stay. Both may be the same mesh.
 void take_vertices(const Mesh& from, const std::vector<std::uint32_t>& which, Mesh& to);
 
-// The material slot of a triangle, of several ranges by bisection.
+// The material slot of a triangle: of many ranges by bisection, of the usual few without a call.
 int find_material_slot(const Mesh& mesh, std::uint32_t triangle);
 inline int material_slot(const Mesh& mesh, std::uint32_t triangle) {
-  return mesh.materials.size() == 1 ? mesh.materials[0].slot : find_material_slot(mesh, triangle);
+  constexpr std::size_t few = 4;
+  std::size_t range = mesh.materials.size() - 1;
+  if (range >= few) return find_material_slot(mesh, triangle);
+  while (range > 0 && triangle < mesh.materials[range].first_triangle) --range;
+  return mesh.materials[range].slot;
 }
 
 // Appends `part` to `mesh`, its triangles using `slot`. Attributes that one of the two lacks are
