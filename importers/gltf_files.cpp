@@ -57,15 +57,15 @@ Path find_file(const GltfContext& context, const std::string& pointer, const std
   return *file;
 }
 
-constexpr std::array<std::int8_t, 256> make_base64_values() {
-  std::array<std::int8_t, 256> values{};
+constexpr std::array<int, 256> make_base64_values() {
+  std::array<int, 256> values{};
   for (auto& value : values) value = -1;
   for (int i = 0; i < 26; ++i) {
-    values[static_cast<std::size_t>('A' + i)] = static_cast<std::int8_t>(i);
-    values[static_cast<std::size_t>('a' + i)] = static_cast<std::int8_t>(26 + i);
+    values[static_cast<std::size_t>('A' + i)] = i;
+    values[static_cast<std::size_t>('a' + i)] = 26 + i;
   }
   for (int i = 0; i < 10; ++i) {
-    values[static_cast<std::size_t>('0' + i)] = static_cast<std::int8_t>(52 + i);
+    values[static_cast<std::size_t>('0' + i)] = 52 + i;
   }
   values['+'] = 62;
   values['/'] = 63;

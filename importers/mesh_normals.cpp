@@ -91,21 +91,19 @@ void assign(Mesh& mesh, const Sectors& sectors, const std::vector<Vec3f>& sector
   mesh.normals.assign(mesh.positions.size(), Vec3f(0, 0, 1));
   const auto originals = static_cast<std::uint32_t>(mesh.positions.size());
   IndexTable copies;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t& vertex = mesh.triangles[t][i];
-      const std::uint32_t sector = sectors.sector[3 * t + i];
-      if (first_sector[vertex] == none) {
-        first_sector[vertex] = sector;
-        mesh.normals[vertex] = sector_normal[sector];
-      } else if (first_sector[vertex] != sector) {
-        const std::uint32_t copy = originals + copies.insert({vertex, sector, 0});
-        if (copy == mesh.positions.size()) {
-          duplicate(mesh, vertex);
-          mesh.normals.push_back(sector_normal[sector]);
-        }
-        vertex = copy;
+  for (std::size_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    std::uint32_t& vertex = mesh.triangles[corner / 3][corner % 3];
+    const std::uint32_t sector = sectors.sector[corner];
+    if (first_sector[vertex] == none) {
+      first_sector[vertex] = sector;
+      mesh.normals[vertex] = sector_normal[sector];
+    } else if (first_sector[vertex] != sector) {
+      const std::uint32_t copy = originals + copies.insert({vertex, sector, 0});
+      if (copy == mesh.positions.size()) {
+        duplicate(mesh, vertex);
+        mesh.normals.push_back(sector_normal[sector]);
       }
+      vertex = copy;
     }
   }
 }

@@ -123,7 +123,7 @@ IntervalFunction read_paper_intervals(const std::filesystem::path& path, const V
     reader.read_line(words_of(std::string_view(text).substr(begin, end - begin), ++line));
     begin = end + 1;
   }
-  const IntervalFunction function = reader.result();
+  IntervalFunction function = reader.result();
   if (faults.empty() && function.intervals.empty()) {
     report({1, 1}, "there is no interval, must be at least one \"% interval BEGIN END ...\"");
   }

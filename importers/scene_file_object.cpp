@@ -82,7 +82,7 @@ ObjectMaterials read_materials(TableReader& table, std::optional<int> asset,
 std::string read_name(const ConfigTable& table, SceneFile& file) {
   const std::string fallback = fmt::format("object_{}", file.scene.objects.size() + 1);
   TableReader reader(table, {file.faults, fallback});
-  const std::string name = reader.text("name").value_or(fallback);
+  std::string name = reader.text("name").value_or(fallback);
   const int index = static_cast<int>(file.scene.objects.size());
   if (!file.object_of_name.emplace(name, index).second) {
     file.faults.add(reader.place("name"), fmt::format("two objects have the name \"{}\"", name));
