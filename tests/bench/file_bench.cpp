@@ -77,10 +77,11 @@ void renderings(benchmark::State& state) {
 }
 
 void animation(benchmark::State& state) {
+  const PictureInfo common = common_info(animation_scene());
   render_all(state,
-             [](const Scene& scene, int number, const Picture& picture, PictureWriter& writer) {
+             [&](const Scene& scene, int number, const Picture& picture, PictureWriter& writer) {
                writer.write(picture_path(scene.output.path, number, false), picture,
-                            picture_info(common_info(scene), scene, number));
+                            picture_info(common, scene, number));
              });
 }
 
