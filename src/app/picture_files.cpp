@@ -91,7 +91,6 @@ std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool 
 PictureInfo common_info(const Scene& scene) {
   PictureInfo info;
   info.light_speed = scene.light_speed;
-  info.vertical_fov = scene.camera.vertical_fov;
   info.rate = scene.animation.rate;
   info.float_beauty = scene.render.beaming;
   info.compression = scene.output.compression;

@@ -161,7 +161,7 @@ void render_picture(const RenderContext& context, int number, Picture& picture) 
   const Scene& scene = context.scene;
   const RenderSettings& settings = scene.render;
   const CameraPose pose = pose_at(scene.camera, picture_time(scene.animation, number));
-  const Projection projection(pose, scene.camera.vertical_fov, settings.width, settings.height);
+  const Projection projection(pose, pose.vertical_fov, settings.width, settings.height);
   const PictureView view{context, number, pose, projection, film_offsets(settings.samples)};
   const auto tiles = [](int length) {
     return static_cast<std::size_t>((length + tile_size - 1) / tile_size);

@@ -17,7 +17,6 @@ struct PictureInfo {
   double camera_time = 0;  // the camera's own clock when the shutter opens
   CameraPose pose;
   double light_speed = 1;
-  double vertical_fov = 1;    // radians
   double rate = 10;           // pictures a second
   bool float_beauty = false;  // else half
   Compression compression = Compression::zip;

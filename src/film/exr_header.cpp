@@ -53,7 +53,7 @@ Imath::M44d world_to_camera(const PictureInfo& info) {
 
 // Film coordinates from (0, 0), top left, to (1, 1), after division by w = distance along the view.
 Imath::M44d ndc_from_camera(const Picture& picture, const PictureInfo& info) {
-  const double half_height = std::tan(0.5 * info.vertical_fov);
+  const double half_height = std::tan(0.5 * info.pose.vertical_fov);
   const double half_width = half_height * picture.width() / picture.height();
   return Imath::M44d(0.5 / half_width, 0, 0, 0,    //
                      0, -0.5 / half_height, 0, 0,  //

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <variant>
 
 #include "physics/worldline.h"
@@ -14,20 +15,31 @@ struct AimDirection {
 struct AimPoint {
   Vec3 point{0, 0, 0};
 };
+// Or something that moves uniformly, kept at the picture's centre where it is seen (paper, section
+// 4.4).
+struct AimTrack {
+  Worldline target;
+  std::string name;  // of the object it belongs to, for messages
+};
+using Aim = std::variant<AimDirection, AimPoint, AimTrack>;
 
 // A perspective camera in uniform motion. Its clock shows 0 at the worldline's reference.
 struct Camera {
   Worldline worldline;
-  std::variant<AimDirection, AimPoint> aim;
-  Vec3 up{0, 1, 0};  // in the camera's axes with a direction; the world's, aberrated, with a point
+  Aim aim;
+  Vec3 up{0, 1, 0};         // in the camera's axes with a direction; else the world's, aberrated
   double vertical_fov = 1;  // radians
+  double aperture = 0;      // radius of the lens, light-seconds; 0: a pinhole
+  double focus = 1;         // distance of the plane that is sharp, light-seconds, camera's frame
+  double rolling = 0;       // seconds of the camera's time from the top row to the bottom one
 };
 
 // The camera at one moment of its clock: an event, and axes in its rest frame.
 struct CameraPose {
   Event<in::World> event;
   Boost<in::World, in::Camera> world_from_camera;
-  Mat3 axes{1};  // columns: right, up, backwards, in the camera's rest frame
+  Mat3 axes{1};             // columns: right, up, backwards, in the camera's rest frame
+  double vertical_fov = 1;  // radians
 };
 
 // Throws InputError where the aim leaves the orientation open: the camera is at its look_at point,

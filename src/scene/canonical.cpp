@@ -140,8 +140,10 @@ void add_camera(Listing& list, const Camera& camera) {
   add_worldline(list, "camera", camera.worldline);
   if (const auto* direction = std::get_if<AimDirection>(&camera.aim)) {
     list.add("camera.direction", direction->direction);
+  } else if (const auto* point = std::get_if<AimPoint>(&camera.aim)) {
+    list.add("camera.look_at", point->point);
   } else {
-    list.add("camera.look_at", std::get<AimPoint>(camera.aim).point);
+    add_worldline(list, "camera.track", std::get<AimTrack>(camera.aim).target);
   }
   list.add("camera.up", camera.up);
   list.add("camera.fov", camera.vertical_fov);

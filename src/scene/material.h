@@ -26,6 +26,12 @@ struct Material {
   TemporalColor emission{Vec3f(0)};
   TemporalNumber emission_strength{1.0F};
   TextureUse emission_texture;
+  TemporalNumber ior{1.5F};
+  TemporalNumber transmission{0.0F};  // fraction of the light below the surface that goes through
+  // What is left of white light, inside, after this distance (scene lengths, rest frame); 0: nothing
+  // is lost, however far.
+  TemporalColor attenuation_color{Vec3f(1)};
+  TemporalNumber attenuation_distance{0.0F};
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5F;
   bool double_sided = false;  // else its back faces are not seen

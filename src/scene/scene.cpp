@@ -59,7 +59,8 @@ void check_camera(const Camera& camera, Faults& faults) {
     if (!(sine > 1e-9)) {
       faults.push_back("camera: direction must be finite, of length 1, and not along up");
     }
-  } else if (!is_finite(std::get<AimPoint>(camera.aim).point)) {
+  } else if (const auto* point = std::get_if<AimPoint>(&camera.aim);
+             point != nullptr && !is_finite(point->point)) {
     faults.push_back("camera: look_at must be finite");
   }
 }

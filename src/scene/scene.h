@@ -8,6 +8,7 @@
 
 #include "physics/worldline.h"
 #include "scene/camera.h"
+#include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/settings.h"
@@ -44,10 +45,12 @@ struct Scene {
   Camera camera;
   bool camera_given = false;  // else one is chosen that frames everything
   AnimationSettings animation;
+  ExposureSettings exposure;
   RenderSettings render;
   OutputSettings output;
 
   std::vector<Object> objects;
+  std::vector<Light> lights;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Texture> textures;

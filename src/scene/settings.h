@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace restframe {
@@ -12,9 +13,35 @@ struct AnimationSettings {
   int pictures = 1;
 };
 
+// How open a shutter is over the time that it takes.
+enum class ShutterShape : std::uint8_t { box, triangle, curve };
+
+// How the exposures of one picture go together.
+enum class Combine : std::uint8_t { sum, mean, max };
+
+// `count` exposures, `interval` seconds from opening to opening, each `shutter` seconds long; the
+// first one opens at the picture's time. All in the camera's own time.
+struct ExposureSettings {
+  double shutter = 0;  // 0: an instant
+  ShutterShape shape = ShutterShape::box;
+  // Of the shape `curve`: (fraction of the shutter's time, openness >= 0), piecewise linear,
+  // fractions from 0 to 1 in order, not zero everywhere.
+  std::vector<std::pair<double, double>> curve;
+  int count = 1;
+  double interval = 0.5;
+  Combine combine = Combine::sum;  // alpha: 1 - product of (1 - alpha)
+};
+
+enum class IntegratorKind : std::uint8_t {
+  preview,  // base colour times |cos| plus emission; no lights
+  path,     // light transport
+};
+
 struct RenderSettings {
   int width = 1280, height = 720;
-  int samples = 16;
+  int samples = 16;  // a pixel, for each exposure
+  IntegratorKind integrator = IntegratorKind::preview;
+  int depth = 8;  // the most surfaces that scatter a path
   bool beaming = false;
   std::uint64_t seed = 0;
 };

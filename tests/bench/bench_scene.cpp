@@ -59,7 +59,7 @@ BenchFile::~BenchFile() {
 std::vector<RTCRayHit16> bare_packets(const Scene& scene, const FrameSet& frames) {
   const CameraPose pose = pose_at(scene.camera, 0.0);
   const RenderSettings& render = scene.render;
-  const Projection projection(pose, scene.camera.vertical_fov, render.width, render.height);
+  const Projection projection(pose, pose.vertical_fov, render.width, render.height);
   const RestFrame& frame = frames.frame(0);
   const Vec3 shift = frame.rest_position(Vec3(0));
   std::vector<RTCRayHit16> packets;
