@@ -153,7 +153,9 @@ void check_objects(const Scene& scene, Faults& faults) {
 std::vector<std::string> validate(const Scene& scene) {
   Faults faults;
   check_settings(scene, faults);
+  validate_exposure(scene.exposure, faults);
   if (scene.camera_given) check_camera(scene.camera, faults);
+  if (scene.camera_given) validate_lens(scene.camera, faults);
   check_objects(scene, faults);
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);
   validate_materials(scene, faults);
