@@ -89,7 +89,7 @@ void expect_combined(const std::string& combine, const Together& together, doubl
       covered += value > 0;
     }
   }
-  EXPECT_GT(covered, 2000);
+  EXPECT_GT(covered, 1000);
 }
 
 TEST(MultipleExposure, AddsLightAndCoversWhatIsLeft) {
@@ -242,7 +242,7 @@ TEST(MotionBlur, IsTheSameForACameraThatAims) {
     difference += std::abs(a - static_cast<double>(aiming.channel("R")[i]));
     light += a;
   }
-  EXPECT_GT(light, 50);
+  EXPECT_GT(light, 10);
   EXPECT_LT(difference, 1e-3 * light);
 }
 

@@ -1,5 +1,6 @@
 #include "tracer/camera_sampler.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -35,7 +36,9 @@ void CameraSampler::start(const PacketId& id, Starts& starts) const {
     const auto samples = static_cast<float>(offsets_.size());
     for (int i = 0; i < packet_size; ++i) {
       const float u = random_unit(id, i, Dimension::time, 1);
-      starts.film[i] = static_cast<std::uint32_t>(u * samples);
+      starts.film[i] =
+          std::min(static_cast<std::uint32_t>(u * samples), static_cast<std::uint32_t>(offsets_.size() - 1));
+      starts.moment[i] = static_cast<double>(random_unit(id, i, Dimension::time, 0));
     }
   }
   if (has_lens()) {
@@ -46,11 +49,20 @@ void CameraSampler::start(const PacketId& id, Starts& starts) const {
   }
 }
 
-std::uint32_t CameraSampler::film_index(const Starts& starts, int lane, int index) const {
-  if (shutter_.is_instant()) return static_cast<std::uint32_t>(index);
-  const std::uint64_t steps =
-      starts.film[lane] + std::uint64_t{stride_} * static_cast<unsigned>(index);
-  return static_cast<std::uint32_t>(steps % offsets_.size());
+Lanes<std::uint32_t> CameraSampler::film_indices(const Starts& starts, int index) const {
+  Lanes<std::uint32_t> indices;
+  if (shutter_.is_instant()) {
+    indices.fill(static_cast<std::uint32_t>(index));
+    return indices;
+  }
+  const std::uint64_t strides = std::uint64_t{stride_} * static_cast<std::uint32_t>(index);
+  const auto samples = static_cast<std::uint32_t>(offsets_.size());
+  const auto step = static_cast<std::uint32_t>(strides % samples);
+  for (int i = 0; i < packet_size; ++i) {
+    const std::uint32_t n = starts.film[i] + step;
+    indices[i] = n < samples ? n : n - samples;
+  }
+  return indices;
 }
 
 void CameraSampler::place_on_film(const PixelLanes& pixels, const Starts& starts, int index,
@@ -61,8 +73,9 @@ void CameraSampler::place_on_film(const PixelLanes& pixels, const Starts& starts
     x.fill(offset.x);
     y.fill(offset.y);
   } else {
+    const Lanes<std::uint32_t> indices = film_indices(starts, index);
     for (int i = 0; i < packet_size; ++i) {
-      const Vec2f& offset = offsets_[film_index(starts, i, index)];
+      const Vec2f& offset = offsets_[indices[i]];
       x[i] = offset.x;
       y[i] = offset.y;
     }
@@ -79,8 +92,9 @@ void CameraSampler::place_on_lens(const Starts& starts, int index, CameraSample&
     sample.lens_y.fill(0.0);
     return;
   }
+  const Lanes<std::uint32_t> indices = film_indices(starts, index);
   for (int i = 0; i < packet_size; ++i) {
-    const double n = film_index(starts, i, index);
+    const double n = indices[i];
     const double u = fraction(starts.lens_u[i] + n * (std::numbers::sqrt2 - 1.0));
     const double v = fraction(starts.lens_v[i] + n * (std::numbers::sqrt3 - 1.0));
     const Vec2 point = aperture_ * on_unit_disc(u, v);
@@ -89,15 +103,17 @@ void CameraSampler::place_on_lens(const Starts& starts, int index, CameraSample&
   }
 }
 
-void CameraSampler::place_in_time(const PacketId& id, int index, CameraSample& sample) const {
+void CameraSampler::place_in_time(const Starts& starts, int index, CameraSample& sample) const {
   if (shutter_.is_instant()) {
     sample.after_opening.fill(0.0);
     return;
   }
+  constexpr double root_5 = 2.23606797749978969641;
   const double part = 1.0 / static_cast<double>(offsets_.size());
+  const double shift = fraction(index * (root_5 - 2.0));
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const auto jitter = static_cast<double>(random_unit(id, i, Dimension::time, 0));
-    sample.after_opening[i] = (index + jitter) * part;
+    sample.after_opening[i] = (index + fraction(starts.moment[i] + shift)) * part;
   }
   shutter_.quantiles(sample.after_opening);
 }
@@ -108,11 +124,11 @@ void CameraSampler::add_rolling(CameraSample& sample) const {
   }
 }
 
-void CameraSampler::take(const PacketId& id, const PixelLanes& pixels, const Starts& starts,
-                         int index, CameraSample& sample) const {
+void CameraSampler::take(const PixelLanes& pixels, const Starts& starts, int index,
+                         CameraSample& sample) const {
   place_on_film(pixels, starts, index, sample);
   if (is_instant() && !has_lens()) return;  // nobody asks for the rest
-  place_in_time(id, index, sample);
+  place_in_time(starts, index, sample);
   add_rolling(sample);
   place_on_lens(starts, index, sample);
 }
