@@ -38,12 +38,6 @@ struct FramePart {
 // A packet in the traversal coordinates of one rest frame.
 struct LocalRays;
 
-// Light that leaves a surface back in time.
-struct Departure {
-  Event<in::World> origin;
-  double s_min = 0;  // per unit of the wave vector it was asked for: clear of the surface
-};
-
 class RestFrame {
  public:
   // objects: indices into scene.objects, all of one velocity. meshes: one a mesh of the scene; the
@@ -68,9 +62,13 @@ class RestFrame {
   // Gives a hit of this frame its s in double, from the triangle's corners.
   void refine(HitPacket& hits, int lane) const;
 
-  // The event of a refined hit, and how far light has to go from there to be clear of the surface.
-  // `x`: the spatial part of its wave vector or step, rest-frame axes.
-  Departure departure(const HitPacket& hits, int lane, const Vec3& x) const;
+  // The event of a refined hit.
+  Event<in::World> hit_event(const HitPacket& hits, int lane) const;
+
+  // From which s on a ray that leaves a refined hit is clear of the surface. event: the hit's. x: the
+  // spatial part of the ray's wave vector or step, rest-frame axes.
+  double s_clear(const HitPacket& hits, int lane, const Event<in::World>& event,
+                 const Vec3& x) const;
 
   const FramePart& part(std::uint32_t index) const { return parts_[index]; }
   std::span<const FramePart> parts() const { return parts_; }

@@ -296,18 +296,20 @@ double RestFrame::s_behind(const HitPacket& hits, int lane) const {
   return hits.s[lane] + clearance(hits, lane, hits.k.at(lane));
 }
 
-Departure RestFrame::departure(const HitPacket& hits, int lane, const Vec3& x) const {
+Event<in::World> RestFrame::hit_event(const HitPacket& hits, int lane) const {
   const Vec3 point = hits.origin.at(lane) + hits.s[lane] * hits.k.at(lane);
-  const Event<in::Rest> event{hits.rest_t[lane] + hits.s[lane] * hits.rest_k_t[lane],
-                              rest_position(point)};
-  const Event<in::World> origin = coordinates_.to_world(event);
+  return coordinates_.to_world(
+      {hits.rest_t[lane] + hits.s[lane] * hits.rest_k_t[lane], rest_position(point)});
+}
+
+double RestFrame::s_clear(const HitPacket& hits, int lane, const Event<in::World>& event,
+                          const Vec3& x) const {
   // What doubles lose on the way to the world and back.
-  const double rounding =
-      0x1p-50 *
-      (std::abs(origin.t) + glm::length(origin.x) + std::abs(event.t) + glm::length(event.x)) *
-      coordinates_.from_world.velocity().gamma();
-  return {origin,
-          clearance(hits, lane, traversal_from_rest_linear_ * x) + rounding / glm::length(x)};
+  const Displacement<in::World> from_anchor = event - coordinates_.anchor;
+  const double reach = std::abs(event.t) + glm::length(event.x) +
+                       coordinates_.from_world.velocity().gamma() *
+                           (std::abs(from_anchor.t) + glm::length(from_anchor.x));
+  return clearance(hits, lane, traversal_from_rest_linear_ * x) + 0x1p-50 * reach / glm::length(x);
 }
 
 }  // namespace restframe
