@@ -77,6 +77,11 @@ std::optional<int> read_asset(TableReader& object, SceneFile& file);
 std::optional<Property> read_property(TableReader& table, const std::string& key,
                                       const ValueRule& rule, SceneFile& file);
 
+// The function in the file that the table's `file` names: rows of a .csv, or the paper's intervals.
+std::optional<TemporalFunction> read_function_file(TableReader& table,
+                                                   const std::optional<double>& period,
+                                                   const ValueRule& rule, SceneFile& file);
+
 // `velocity`, in fractions of c; at rest if it is not given.
 Velocity read_velocity(TableReader& table);
 
