@@ -66,6 +66,7 @@ struct MaterialChange {
 
 // [scene], [animation], [exposure], [render], [output]
 void read_settings(TableReader& root, SceneFile& file);
+void read_exposure(TableReader& root, SceneFile& file);
 void read_camera(TableReader& root, SceneFile& file);
 void read_objects(TableReader& root, SceneFile& file);
 void read_lights(TableReader& root, SceneFile& file);  // after the objects, on which they may be
@@ -81,6 +82,9 @@ std::optional<Property> read_property(TableReader& table, const std::string& key
 std::optional<TemporalFunction> read_function_file(TableReader& table,
                                                    const std::optional<double>& period,
                                                    const ValueRule& rule, SceneFile& file);
+
+// [camera]'s `aperture`, `focus` and `rolling`.
+void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera& camera);
 
 // `velocity`, in fractions of c; at rest if it is not given.
 Velocity read_velocity(TableReader& table);

@@ -41,22 +41,6 @@ void read_animation(TableReader& root, SceneFile& file) {
   animation.finish();
 }
 
-// One exposure without duration is what is done; `interval` and `combine` mean nothing to it.
-void read_exposure(TableReader& root, SceneFile& file) {
-  const ConfigTable* table = root.table("exposure");
-  if (!table) return;
-  TableReader exposure(*table, {file.faults, "exposure"});
-  if (exposure.number("shutter", at_least(0)).value_or(0) != 0) {
-    exposure.not_supported(exposure.key_place("shutter"), "shutter");
-  }
-  if (exposure.integer("count", 1, 1'000'000).value_or(1) != 1) {
-    exposure.not_supported(exposure.key_place("count"), "count");
-  }
-  exposure.number("interval");
-  exposure.choice("combine", {"sum", "mean", "max"});
-  exposure.finish();
-}
-
 void read_resolution(TableReader& render, RenderSettings& settings) {
   const ConfigValue* value = render.find("resolution");
   if (!value) return;

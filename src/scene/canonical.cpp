@@ -175,6 +175,21 @@ void add_camera(Listing& list, const Camera& camera) {
   }
   list.add("camera.up", camera.up);
   list.add("camera.fov", camera.vertical_fov);
+  list.add("camera.aperture", camera.aperture);
+  list.add("camera.focus", camera.focus);
+  list.add("camera.rolling", camera.rolling);
+}
+
+void add_exposure(Listing& list, const ExposureSettings& exposure) {
+  list.add("exposure.shutter", exposure.shutter);
+  std::string opening = fmt::format("{}", static_cast<int>(exposure.shape));
+  for (const auto& [x, openness] : exposure.curve) {
+    opening += fmt::format("; {:.17g} {:.17g}", x, openness);
+  }
+  list.add("exposure.opening", opening);
+  list.add("exposure.count", exposure.count);
+  list.add("exposure.interval", exposure.interval);
+  list.add("exposure.combine", static_cast<int>(exposure.combine));
 }
 
 }  // namespace
@@ -185,6 +200,7 @@ std::string canonical_settings(const Scene& scene) {
   add_camera(list, scene.camera);
   list.add("animation.rate", scene.animation.rate);
   list.add("animation.start", scene.animation.start);
+  add_exposure(list, scene.exposure);
   list.add("render.resolution", fmt::format("{} {}", scene.render.width, scene.render.height));
   list.add("render.samples", scene.render.samples);
   list.add("render.integrator", static_cast<int>(scene.render.integrator));

@@ -176,7 +176,9 @@ Worldline at_rest_on(const Object& object, const Vec3& offset, double clock) {
 std::vector<std::string> validate(const Scene& scene) {
   Faults faults;
   check_settings(scene, faults);
+  validate_exposure(scene.exposure, faults);
   if (scene.camera_given) check_camera(scene.camera, faults);
+  if (scene.camera_given) validate_lens(scene.camera, faults);
   check_objects(scene, faults);
   check_lights(scene, faults);
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);

@@ -19,8 +19,11 @@ void validate_number(const Scene& scene, const TemporalNumber& number, const std
 void validate_color(const Scene& scene, const TemporalColor& color, const std::string& what,
                     std::vector<std::string>& faults, const Allowed& allowed = {});
 
-// The parts of validate() that concern what objects are made of, and what lights them. Each appends
-// faults in words.
+// Parts of validate(). Each appends faults in words.
+void validate_exposure(const ExposureSettings& exposure, std::vector<std::string>& faults);
+void validate_lens(const Camera& camera, std::vector<std::string>& faults);
+
+// Those that concern what objects are made of, and what lights them.
 void validate_mesh(const Mesh& mesh, std::vector<std::string>& faults);
 void validate_materials(const Scene& scene, std::vector<std::string>& faults);
 void validate_textures(const Scene& scene, std::vector<std::string>& faults);
