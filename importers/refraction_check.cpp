@@ -53,7 +53,7 @@ void warn_of_open_glass(const Scene& scene, const Path& file, Warnings& warnings
         "not find its way out, refraction needs closed meshes",
         file.string(), quote(scene.objects[*objects.begin()].name), more,
         quote(scene.materials[static_cast<std::size_t>(material)].name),
-        mesh.name.empty() ? "" : " " + quote(mesh.name)));
+        mesh.name.empty() ? "" : fmt::format(" {}", quote(mesh.name))));
   }
 }
 
