@@ -205,7 +205,7 @@ TEST(GltfMaterials, ReferToWhatIsThere) {
     return material({{"extensions", {{name, value}}}});
   };
   const std::string in = at + "/extensions/KHR_materials_";
-  expect_damage(extended("KHR_materials_ior", 3), in + "ior: must be an object");
+  expect_damage(extended("KHR_materials_ior", 3), in + "ior: is number, must be an object");
   expect_damage(extended("KHR_materials_ior", {{"ior", -1}}), in + "ior/ior: is -1");
   expect_damage(extended("KHR_materials_transmission", {{"transmissionFactor", 2}}),
                 in + "transmission/transmissionFactor: is 2");
