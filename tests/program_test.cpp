@@ -159,7 +159,7 @@ TEST(Program, InfoSaysWhatIsThere) {
   folder.write("scene.toml", kScene);
   const RunResult result = run(folder, {"info", "scene.toml"});
   EXPECT_EQ(result.exit_code, 0) << result.error;
-  for (const char* part : {"2 rest frames", "2 objects", "ball", "still", "320 triangles",
+  for (const char* part : {"2 rest frames", "2 objects", "ball", "still", "320 triangles, closed",
                            "[0, 0, 0.5]", "gamma 1.1547", "memory", "material"}) {
     EXPECT_TRUE(has(result.out, part)) << part << " is not in\n" << result.out;
   }
