@@ -196,6 +196,7 @@ class Drawing {
       mark(*curve, degrees);
       label -= line_height;
     }
+    if (curves_.front().speed == 0) return;
     const double first = crossover_angle(curves_.front().speed) * 180 / std::numbers::pi;
     word(x(first) + 5, label, R"(fill="#444")", "cross-over angles:");
   }
