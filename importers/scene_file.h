@@ -48,6 +48,7 @@ struct SceneFile {
   std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   std::vector<ObjectMaterials> object_materials;  // one an object
+  std::vector<Mat3> object_rotations;             // `rotation` of each object
 };
 
 // A property as a file gives it: constant, or an index into Scene::functions.
@@ -58,14 +59,17 @@ struct MaterialChange {
   TextPosition at;
   std::string name;                         // exact, or a pattern in which * stands for anything
   std::optional<MaterialReference> object;  // only there
-  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity;
+  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity,
+      ior, transmission, attenuation_color, attenuation_distance;
   std::optional<bool> base_color_texture, unlit;
 };
 
 // [scene], [animation], [exposure], [render], [output]
 void read_settings(TableReader& root, SceneFile& file);
+void read_exposure(TableReader& root, SceneFile& file);
 void read_camera(TableReader& root, SceneFile& file);
 void read_objects(TableReader& root, SceneFile& file);
+void read_lights(TableReader& root, SceneFile& file);  // after the objects, on which they may be
 std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file);
 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
@@ -73,6 +77,9 @@ std::optional<int> read_asset(TableReader& object, SceneFile& file);
 
 std::optional<Property> read_property(TableReader& table, const std::string& key,
                                       const ValueRule& rule, SceneFile& file);
+
+// [camera]'s `aperture`, `focus` and `rolling`.
+void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera& camera);
 
 // `velocity`, in fractions of c; at rest if it is not given.
 Velocity read_velocity(TableReader& table);

@@ -8,16 +8,6 @@
 namespace restframe {
 namespace {
 
-// A pinhole whose rows are read at once is what is done.
-void refuse_lens_and_rolling(TableReader& camera) {
-  for (const char* key : {"aperture", "rolling"}) {
-    if (camera.number(key, at_least(0)).value_or(0) != 0) {
-      camera.not_supported(camera.key_place(key), key);
-    }
-  }
-  camera.not_supported({"track", "on", "focus", "key", "leg"});
-}
-
 void read_aim(TableReader& table, double light_speed, Camera& camera) {
   table.one_of({"look_at", "direction"});
   const auto up = read_direction(table, "up");
@@ -65,7 +55,8 @@ void read_camera(TableReader& root, SceneFile& file) {
   camera.worldline.velocity = read_velocity(reader);
   read_aim(reader, file.scene.light_speed, camera);
   camera.vertical_fov = glm::radians(reader.number("fov", between(0, 180)).value_or(60));
-  refuse_lens_and_rolling(reader);
+  read_lens_and_rolling(reader, file.scene.light_speed, camera);
+  reader.not_supported({"track", "on", "key", "leg"});
   reader.finish();
 }
 

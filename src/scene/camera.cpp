@@ -59,6 +59,12 @@ CameraPose pose_at(const Camera& camera, double proper_time) {
   return pose;
 }
 
+bool is_steady(const Camera& camera) {
+  if (std::holds_alternative<AimDirection>(camera.aim)) return true;
+  const bool rests = camera.worldline.velocity.gamma_beta() == Vec3(0);
+  return rests && std::holds_alternative<AimPoint>(camera.aim);
+}
+
 Projection::Projection(const CameraPose& pose, double vertical_fov, int width, int height) {
   const double half_height = std::tan(0.5 * vertical_fov);
   const double half_width = half_height * width / height;

@@ -46,6 +46,9 @@ struct CameraPose {
 // or it looks along `up`.
 CameraPose pose_at(const Camera& camera, double proper_time);
 
+// Whether velocity, axes and field of view are the same at all times: only the event moves.
+bool is_steady(const Camera& camera);
+
 // From film to rays. Film coordinates are pixels: x to the right from the left edge, y down from
 // the top.
 class Projection {
