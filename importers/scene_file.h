@@ -48,6 +48,7 @@ struct SceneFile {
   std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   std::vector<ObjectMaterials> object_materials;  // one an object
+  std::vector<Mat4> object_from_asset;            // likewise; the asset's units to light-seconds
 };
 
 // A property as a file gives it: constant, or an index into Scene::functions.
@@ -58,7 +59,8 @@ struct MaterialChange {
   TextPosition at;
   std::string name;                         // exact, or a pattern in which * stands for anything
   std::optional<MaterialReference> object;  // only there
-  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity;
+  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity,
+      ior, transmission, attenuation_color, attenuation_distance;
   std::optional<bool> base_color_texture, unlit;
 };
 
@@ -67,13 +69,27 @@ void read_settings(TableReader& root, SceneFile& file);
 void read_exposure(TableReader& root, SceneFile& file);
 void read_camera(TableReader& root, SceneFile& file);
 void read_objects(TableReader& root, SceneFile& file);
+void read_lights(TableReader& root, SceneFile& file);  // after the objects, on which they may be
 std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file);
 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
 std::optional<int> read_asset(TableReader& object, SceneFile& file);
 
+// The index of the object whose name stands under `key`.
+std::optional<int> read_object_reference(TableReader& table, const std::string& key,
+                                         const SceneFile& file);
+
+// A point in the coordinates of an object's asset as it is placed, from the object's origin in
+// light-seconds.
+Vec3 object_point(const SceneFile& file, int object, const Vec3& point);
+
 std::optional<Property> read_property(TableReader& table, const std::string& key,
                                       const ValueRule& rule, SceneFile& file);
+
+// The function in the file that the table's `file` names: rows of a .csv, or the paper's intervals.
+std::optional<TemporalFunction> read_function_file(TableReader& table,
+                                                   const std::optional<double>& period,
+                                                   const ValueRule& rule, SceneFile& file);
 
 // [camera]'s `aperture`, `focus` and `rolling`.
 void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera& camera);

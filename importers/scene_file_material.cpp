@@ -1,23 +1,15 @@
 #include <fmt/format.h>
 
 #include "importers/scene_file.h"
-#include "scene/suggest.h"
 
 namespace restframe {
 namespace {
 
 std::optional<MaterialReference> read_object_name(TableReader& material, const SceneFile& file) {
-  const auto name = material.text("object");
-  if (!name) return std::nullopt;
-  if (file.object_of_name.count(*name) > 0) {
-    return MaterialReference{material.place("object"), *name};
-  }
-  std::vector<std::string> names;
-  for (const auto& [known, index] : file.object_of_name) names.push_back(known);
-  material.report(material.place("object"),
-                  fmt::format("there is no object \"{}\", the nearest is \"{}\"", *name,
-                              nearest(*name, names)));
-  return std::nullopt;
+  const std::optional<int> index = read_object_reference(material, "object", file);
+  if (!index) return std::nullopt;
+  return MaterialReference{material.place("object"),
+                           file.scene.objects[static_cast<std::size_t>(*index)].name};
 }
 
 void read_properties(TableReader& material, MaterialChange& change, SceneFile& file) {
@@ -31,8 +23,12 @@ void read_properties(TableReader& material, MaterialChange& change, SceneFile& f
   change.opacity = read_property(material, "opacity", fraction, file);
   change.base_color_texture = material.boolean("base_color_texture");
   change.unlit = material.boolean("unlit");
-  material.not_supported({"ior", "transmission", "attenuation_color", "attenuation_distance",
-                          "specular", "specular_color", "clearcoat", "clearcoat_roughness",
+  change.ior = read_property(material, "ior", {false, at_least(1)}, file);
+  change.transmission = read_property(material, "transmission", fraction, file);
+  change.attenuation_color = read_property(material, "attenuation_color", reflectance, file);
+  change.attenuation_distance =
+      read_property(material, "attenuation_distance", {false, at_least(0)}, file);
+  material.not_supported({"specular", "specular_color", "clearcoat", "clearcoat_roughness",
                           "sheen_color", "sheen_roughness", "normal_scale"});
 }
 

@@ -65,13 +65,13 @@ void read_render(TableReader& root, SceneFile& file) {
   settings.beaming = render.boolean("beaming").value_or(settings.beaming);
   settings.seed = static_cast<std::uint64_t>(
       render.whole_number("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0));
-  if (render.choice("integrator", {"preview", "path"}) == std::size_t{1}) {
-    render.not_supported(render.place("integrator"), "path");
+  if (const auto index = render.choice("integrator", {"preview", "path"})) {
+    settings.integrator = static_cast<IntegratorKind>(*index);
   }
+  settings.depth = render.integer("depth", 1, 64).value_or(settings.depth);
   if (render.boolean("doppler").value_or(false)) {
     render.not_supported(render.key_place("doppler"), "doppler");
   }
-  render.not_supported({"depth"});
   render.finish();
 }
 

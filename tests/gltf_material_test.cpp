@@ -76,6 +76,34 @@ TEST(GltfMaterial, ReadsEveryFactor) {
   EXPECT_TRUE(material.unlit);
 }
 
+TEST(GltfMaterial, ReadsGlass) {
+  const json source = {{"extensions",
+                        {{"KHR_materials_ior", {{"ior", 1.75}}},
+                         {"KHR_materials_transmission", {{"transmissionFactor", 0.5}}},
+                         {"KHR_materials_volume",
+                          {{"attenuationDistance", 2.5}, {"attenuationColor", {0.5, 1, 0.25}}}}}}};
+  GltfBuilder builder = with_material(source);
+  builder.json["extensionsRequired"] = {"KHR_materials_ior", "KHR_materials_transmission",
+                                        "KHR_materials_volume"};
+  const Material material = load(builder).materials.at(0);
+  EXPECT_EQ(material.ior.value, 1.75F);
+  EXPECT_EQ(material.transmission.value, 0.5F);
+  EXPECT_EQ(material.attenuation_distance.value, 2.5F);
+  EXPECT_EQ(material.attenuation_color.value, Vec3f(0.5F, 1, 0.25F));
+}
+
+TEST(GltfMaterial, EmptyGlassHasDefaults) {
+  const Material material = load(with_material({{"extensions",
+                                                 {{"KHR_materials_ior", json::object()},
+                                                  {"KHR_materials_transmission", json::object()},
+                                                  {"KHR_materials_volume", json::object()}}}}))
+                                .materials.at(0);
+  EXPECT_EQ(material.ior.value, 1.5F);
+  EXPECT_EQ(material.transmission.value, 0);
+  EXPECT_EQ(material.attenuation_distance.value, 0);
+  EXPECT_EQ(material.attenuation_color.value, Vec3f(1));
+}
+
 GltfBuilder with_textures() {
   GltfBuilder builder = with_material({{"pbrMetallicRoughness",
                                         {{"baseColorTexture", {{"index", 1}, {"texCoord", 1}}},
@@ -147,6 +175,24 @@ TEST(GltfMaterial, NamesMapsThatItDoesNotUse) {
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("/materials: normalTexture of 1 materials is left out"),
             std::string::npos);
+}
+
+TEST(GltfMaterial, NamesGlassThatItDoesNotRead) {
+  GltfBuilder builder = with_textures();
+  builder.json["materials"][0]["extensions"] = {
+      {"KHR_materials_ior", {{"ior", 0}}},
+      {"KHR_materials_transmission", {{"transmissionTexture", {{"index", 0}}}}},
+      {"KHR_materials_volume", {{"thicknessTexture", {{"index", 0}}}}}};
+  const TemporaryFolder folder;
+  Warnings warnings;
+  EXPECT_EQ(load(folder, builder.glb(), warnings).materials.at(0).ior.value, 1);
+  ASSERT_EQ(warnings.size(), 3U);
+  const std::vector<std::string> words = {"transmissionTexture of 1 materials is left out",
+                                          "thicknessTexture of 1 materials is left out",
+                                          "/materials/0: ior is 0, must be at least 1"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NE(warnings[i].find(words[i]), std::string::npos) << warnings[i];
+  }
 }
 
 }  // namespace

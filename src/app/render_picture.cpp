@@ -177,6 +177,7 @@ void render_tile(const PictureView& view, const Tracer& integrator, std::size_t 
     }
   }
   check_fault(view.context.scene, *evaluator);
+  check_faults(integrator);
   view.context.evaluators.bring_back(std::move(evaluator));
   const auto pixels = static_cast<std::size_t>((right - left) * (bottom - top));
   if (view.context.samples_done) {

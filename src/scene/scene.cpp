@@ -85,6 +85,7 @@ void check_settings(const Scene& scene, Faults& faults) {
   check_count(scene.render.width, 1, 32'768, "render: width", faults);
   check_count(scene.render.height, 1, 32'768, "render: height", faults);
   check_count(scene.render.samples, 1, 65'536, "render: samples", faults);
+  check_count(scene.render.depth, 1, 64, "render: depth", faults);
   const auto fault = output_pattern_fault(scene.output.path, scene.animation.pictures);
   if (fault) faults.push_back("output: " + *fault);
   const std::set<Layer> layers(scene.output.layers.begin(), scene.output.layers.end());
@@ -148,7 +149,29 @@ void check_objects(const Scene& scene, Faults& faults) {
   }
 }
 
+void check_lights(const Scene& scene, Faults& faults) {
+  std::set<std::string> names;
+  for (const Light& light : scene.lights) {
+    const std::string name = fmt::format("light \"{}\"", light.name);
+    if (!names.insert(light.name).second) faults.push_back("two lights are " + name);
+    check_worldline(light.worldline, name, faults);
+    validate_light(scene, light, name, faults);
+  }
+}
+
 }  // namespace
+
+double clock_at_reference(const Object& object) {
+  if (!object.frame_clock) return object.clock;
+  const Boost<in::Rest, in::World> rest_from_world(object.worldline.velocity);
+  return rest_from_world(object.worldline.reference - Event<in::World>{}).t;
+}
+
+Worldline at_rest_on(const Object& object, const Vec3& offset, double clock) {
+  const double since_reference = clock - clock_at_reference(object);
+  return {object.worldline.rest_frame().to_world({since_reference, offset}),
+          object.worldline.velocity};
+}
 
 std::vector<std::string> validate(const Scene& scene) {
   Faults faults;
@@ -157,6 +180,7 @@ std::vector<std::string> validate(const Scene& scene) {
   if (scene.camera_given) check_camera(scene.camera, faults);
   if (scene.camera_given) validate_lens(scene.camera, faults);
   check_objects(scene, faults);
+  check_lights(scene, faults);
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);
   validate_materials(scene, faults);
   validate_textures(scene, faults);
