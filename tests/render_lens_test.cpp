@@ -31,7 +31,8 @@ std::string text_of(const LensScene& scene) {
                      scene.film.fov(), scene.aperture, scene.focus, velocity) +
          scene.film.text(256) +
          fmt::format(
-             "[[object]]\nsphere = {{radius = {}, fineness = 3}}\nposition = [0, 0, {:.17g}]\nclock = \"frame\"\n",
+             "[[object]]\nsphere = {{radius = {}, fineness = 3}}\nposition = [0, 0, "
+             "{:.17g}]\nclock = \"frame\"\n",
              kRadius, -z) +
          velocity + "[[material]]\nname = \"ball\"\nunlit = true\nbase_color = " + scene.color +
          "\n";

@@ -36,8 +36,8 @@ void CameraSampler::start(const PacketId& id, Starts& starts) const {
     const auto samples = static_cast<float>(offsets_.size());
     for (int i = 0; i < packet_size; ++i) {
       const float u = random_unit(id, i, Dimension::time, 1);
-      starts.film[i] =
-          std::min(static_cast<std::uint32_t>(u * samples), static_cast<std::uint32_t>(offsets_.size() - 1));
+      starts.film[i] = std::min(static_cast<std::uint32_t>(u * samples),
+                                static_cast<std::uint32_t>(offsets_.size() - 1));
       starts.moment[i] = static_cast<double>(random_unit(id, i, Dimension::time, 0));
     }
   }
