@@ -221,6 +221,21 @@ TEST(MotionBlur, OfSeveralExposuresIsSeveralStreaks) {
   EXPECT_NEAR(first.sum, second.sum, 1);
 }
 
+TEST(MotionBlur, LeavesWhatStandsStill) {
+  const auto scene = [](const char* exposure) {
+    const Film film{60, 40, 40};
+    return camera_of(film) + film.text(16, true) + exposure +
+           "[[object]]\nsphere = {fineness = 3}\nposition = [0.5, 0, -3]\n";
+  };
+  const ExrPicture still = rendered(RESTFRAME_PROGRAM, scene(""));
+  const ExrPicture blurred = rendered(RESTFRAME_PROGRAM, scene("[exposure]\nshutter = 0.5\n"));
+  for (const char* channel : {"R", "A"}) {
+    for (std::size_t i = 0; i < still.channel(channel).size(); ++i) {
+      ASSERT_NEAR(still.channel(channel)[i], blurred.channel(channel)[i], 1e-5) << channel;
+    }
+  }
+}
+
 // A camera that looks at a point straight ahead turns no more than one without a target, though it
 // is asked anew for each ray.
 TEST(MotionBlur, IsTheSameForACameraThatAims) {

@@ -1,7 +1,7 @@
 #include "tracer/camera_sampler.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "tracer/film_samples.h"
@@ -11,11 +11,23 @@ namespace restframe {
 namespace {
 
 // About the golden section of `samples`, and without a common factor: steps of it visit every
-// sample once, neighbours in time far apart in the sequence.
-std::uint32_t coprime_stride(std::uint32_t samples) {
-  auto stride = static_cast<std::uint32_t>(0.6180339887498949 * samples);
+// sample once.
+std::size_t coprime_stride(std::size_t samples) {
+  auto stride = static_cast<std::size_t>(0.6180339887498949 * static_cast<double>(samples));
   while (std::gcd(stride, samples) != 1) ++stride;
   return stride;
+}
+
+// film_offsets() begins at the centre, which data layers hold where nothing is spread over time.
+// Over a shutter's time they come with strides, since neighbours in that sequence are related.
+std::vector<Vec2f> ordered_offsets(int samples, bool over_time) {
+  const std::vector<Vec2f> offsets = film_offsets(samples);
+  if (!over_time) return offsets;
+  const std::size_t stride = coprime_stride(offsets.size());
+  std::vector<Vec2f> ordered(offsets.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    ordered[i] = offsets[i * stride % offsets.size()];
+  return ordered;
 }
 
 double fraction(double x) {
@@ -25,19 +37,14 @@ double fraction(double x) {
 }  // namespace
 
 CameraSampler::CameraSampler(const Scene& scene)
-    : offsets_(film_offsets(scene.render.samples)),
-      shutter_(scene.exposure),
+    : shutter_(scene.exposure),
+      offsets_(ordered_offsets(scene.render.samples, !shutter_.is_instant())),
       aperture_(scene.camera.aperture),
-      rolling_per_pixel_(scene.camera.rolling / scene.render.height),
-      stride_(coprime_stride(static_cast<std::uint32_t>(scene.render.samples))) {}
+      rolling_per_pixel_(scene.camera.rolling / scene.render.height) {}
 
 void CameraSampler::start(const PacketId& id, Starts& starts) const {
   if (!shutter_.is_instant()) {
-    const auto samples = static_cast<float>(offsets_.size());
     for (int i = 0; i < packet_size; ++i) {
-      const float u = random_unit(id, i, Dimension::time, 1);
-      starts.film[i] = std::min(static_cast<std::uint32_t>(u * samples),
-                                static_cast<std::uint32_t>(offsets_.size() - 1));
       starts.moment[i] = static_cast<double>(random_unit(id, i, Dimension::time, 0));
     }
   }
@@ -49,40 +56,12 @@ void CameraSampler::start(const PacketId& id, Starts& starts) const {
   }
 }
 
-Lanes<std::uint32_t> CameraSampler::film_indices(const Starts& starts, int index) const {
-  Lanes<std::uint32_t> indices;
-  if (shutter_.is_instant()) {
-    indices.fill(static_cast<std::uint32_t>(index));
-    return indices;
-  }
-  const std::uint64_t strides = std::uint64_t{stride_} * static_cast<std::uint32_t>(index);
-  const auto samples = static_cast<std::uint32_t>(offsets_.size());
-  const auto step = static_cast<std::uint32_t>(strides % samples);
+void CameraSampler::place_on_film(const PixelLanes& pixels, int index, CameraSample& sample) const {
+  const Vec2f offset = offsets_[static_cast<std::size_t>(index)];
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const std::uint32_t n = starts.film[i] + step;
-    indices[i] = n < samples ? n : n - samples;
-  }
-  return indices;
-}
-
-void CameraSampler::place_on_film(const PixelLanes& pixels, const Starts& starts, int index,
-                                  CameraSample& sample) const {
-  Lanes<float> x, y;
-  if (shutter_.is_instant()) {
-    const Vec2f& offset = offsets_[static_cast<std::size_t>(index)];
-    x.fill(offset.x);
-    y.fill(offset.y);
-  } else {
-    const Lanes<std::uint32_t> indices = film_indices(starts, index);
-    for (int i = 0; i < packet_size; ++i) {
-      const Vec2f& offset = offsets_[indices[i]];
-      x[i] = offset.x;
-      y[i] = offset.y;
-    }
-  }
-  for (int i = 0; i < packet_size; ++i) {
-    sample.film_x[i] = pixels.x[i] + 0.5 + static_cast<double>(x[i]);
-    sample.film_y[i] = pixels.y[i] + 0.5 + static_cast<double>(y[i]);
+    sample.film_x[i] = pixels.x[i] + 0.5 + static_cast<double>(offset.x);
+    sample.film_y[i] = pixels.y[i] + 0.5 + static_cast<double>(offset.y);
   }
 }
 
@@ -92,11 +71,9 @@ void CameraSampler::place_on_lens(const Starts& starts, int index, CameraSample&
     sample.lens_y.fill(0.0);
     return;
   }
-  const Lanes<std::uint32_t> indices = film_indices(starts, index);
   for (int i = 0; i < packet_size; ++i) {
-    const double n = indices[i];
-    const double u = fraction(starts.lens_u[i] + n * (std::numbers::sqrt2 - 1.0));
-    const double v = fraction(starts.lens_v[i] + n * (std::numbers::sqrt3 - 1.0));
+    const double u = fraction(starts.lens_u[i] + index * (std::numbers::sqrt2 - 1.0));
+    const double v = fraction(starts.lens_v[i] + index * (std::numbers::sqrt3 - 1.0));
     const Vec2 point = aperture_ * on_unit_disc(u, v);
     sample.lens_x[i] = point.x;
     sample.lens_y[i] = point.y;
@@ -126,7 +103,7 @@ void CameraSampler::add_rolling(CameraSample& sample) const {
 
 void CameraSampler::take(const PixelLanes& pixels, const Starts& starts, int index,
                          CameraSample& sample) const {
-  place_on_film(pixels, starts, index, sample);
+  place_on_film(pixels, index, sample);
   if (is_instant() && !has_lens()) return;  // nobody asks for the rest
   place_in_time(starts, index, sample);
   add_rolling(sample);

@@ -25,10 +25,10 @@ struct CameraSample {
 // Sample i of n takes the i-th of n equal parts of the light that the shutter lets through: a
 // pixel's samples are stratified in time, and the 16 lanes of a packet are close in time, so that
 // their rays stay coherent. The moment within its part is a Kronecker sequence of the square root
-// of 5; which point of the film comes with it, a stride through all of them; points of the lens are
-// a Kronecker sequence of the square roots of 2 and 3. Each begins at random for each pixel and
-// exposure, which makes every sample uniform. Without shutter and lens, sample i is
-// film_offsets()[i] in all pixels.
+// of 5, the point of the lens one of the square roots of 2 and 3; both begin at random for each
+// pixel and exposure, which makes each of their samples uniform. The points on the film are the
+// same in all pixels, film_offsets(), under a shutter in an order that does not go with time: what
+// stands still looks as it does without a shutter.
 class CameraSampler {
  public:
   explicit CameraSampler(const Scene& scene);
@@ -41,7 +41,6 @@ class CameraSampler {
 
   // What is drawn once for the pixels of a block and an exposure.
   struct Starts {
-    Lanes<std::uint32_t> film;
     Lanes<double> moment;  // as a fraction of a part
     Lanes<double> lens_u, lens_v;
   };
@@ -55,18 +54,15 @@ class CameraSampler {
   void take_center(const PixelLanes& pixels, CameraSample& sample) const;
 
  private:
-  Lanes<std::uint32_t> film_indices(const Starts& starts, int index) const;
-  void place_on_film(const PixelLanes& pixels, const Starts& starts, int index,
-                     CameraSample& sample) const;
+  void place_on_film(const PixelLanes& pixels, int index, CameraSample& sample) const;
   void place_on_lens(const Starts& starts, int index, CameraSample& sample) const;
   void place_in_time(const Starts& starts, int index, CameraSample& sample) const;
   void add_rolling(CameraSample& sample) const;
 
-  std::vector<Vec2f> offsets_;
   Shutter shutter_;
+  std::vector<Vec2f> offsets_;    // of the samples on the film, from the pixel's centre
   double aperture_ = 0;           // light-seconds
   double rolling_per_pixel_ = 0;  // seconds
-  std::uint32_t stride_ = 1;      // from one sample's film point to the next one's, under a shutter
 };
 
 }  // namespace restframe
