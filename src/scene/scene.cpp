@@ -150,6 +150,18 @@ void check_objects(const Scene& scene, Faults& faults) {
 
 }  // namespace
 
+double clock_at_reference(const Object& object) {
+  if (!object.frame_clock) return object.clock;
+  const Boost<in::Rest, in::World> rest_from_world(object.worldline.velocity);
+  return rest_from_world(object.worldline.reference - Event<in::World>{}).t;
+}
+
+Worldline at_rest_on(const Object& object, const Vec3& offset, double clock) {
+  const double since_reference = clock - clock_at_reference(object);
+  return {object.worldline.rest_frame().to_world({since_reference, offset}),
+          object.worldline.velocity};
+}
+
 std::vector<std::string> validate(const Scene& scene) {
   Faults faults;
   check_settings(scene, faults);

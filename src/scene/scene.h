@@ -62,6 +62,13 @@ struct Scene {
   std::vector<SourceFile> sources;
 };
 
+// What the object's clock shows at its reference event.
+double clock_at_reference(const Object& object);
+
+// The worldline of a point that rests on the object, at `offset` (light-seconds, rest-frame axes)
+// from its origin. Its reference is where the object's clock shows `clock`.
+Worldline at_rest_on(const Object& object, const Vec3& offset, double clock);
+
 // Every fault that would keep the scene from being rendered, in words. An importer reports what it
 // can with positions; this is the last guard, and the only one for scenes built by a program.
 std::vector<std::string> validate(const Scene& scene);
