@@ -48,6 +48,7 @@ struct SceneFile {
   std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   std::vector<ObjectMaterials> object_materials;  // one an object
+  std::vector<Mat4> object_from_asset;            // likewise; the asset's units to light-seconds
 };
 
 // A property as a file gives it: constant, or an index into Scene::functions.
@@ -64,12 +65,21 @@ struct MaterialChange {
 
 // [scene], [animation], [exposure], [render], [output]
 void read_settings(TableReader& root, SceneFile& file);
-void read_camera(TableReader& root, SceneFile& file);
 void read_objects(TableReader& root, SceneFile& file);
+// After the objects, which it may name.
+void read_camera(TableReader& root, SceneFile& file);
 std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file);
 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
 std::optional<int> read_asset(TableReader& object, SceneFile& file);
+
+// The index of the object whose name stands under `key`.
+std::optional<int> read_object_reference(TableReader& table, const std::string& key,
+                                         const SceneFile& file);
+
+// A point in the coordinates of an object's asset as it is placed, from the object's origin in
+// light-seconds.
+Vec3 object_point(const SceneFile& file, int object, const Vec3& point);
 
 std::optional<Property> read_property(TableReader& table, const std::string& key,
                                       const ValueRule& rule, SceneFile& file);

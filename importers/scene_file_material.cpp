@@ -1,23 +1,15 @@
 #include <fmt/format.h>
 
 #include "importers/scene_file.h"
-#include "scene/suggest.h"
 
 namespace restframe {
 namespace {
 
 std::optional<MaterialReference> read_object_name(TableReader& material, const SceneFile& file) {
-  const auto name = material.text("object");
-  if (!name) return std::nullopt;
-  if (file.object_of_name.count(*name) > 0) {
-    return MaterialReference{material.place("object"), *name};
-  }
-  std::vector<std::string> names;
-  for (const auto& [known, index] : file.object_of_name) names.push_back(known);
-  material.report(material.place("object"),
-                  fmt::format("there is no object \"{}\", the nearest is \"{}\"", *name,
-                              nearest(*name, names)));
-  return std::nullopt;
+  const std::optional<int> index = read_object_reference(material, "object", file);
+  if (!index) return std::nullopt;
+  return MaterialReference{material.place("object"),
+                           file.scene.objects[static_cast<std::size_t>(*index)].name};
 }
 
 void read_properties(TableReader& material, MaterialChange& change, SceneFile& file) {

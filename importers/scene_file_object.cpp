@@ -105,6 +105,7 @@ void read_object(const ConfigTable& table, SceneFile& file) {
   if (asset) {
     object.parts = placed_parts(file.assets[static_cast<std::size_t>(*asset)], object_from_asset);
   }
+  file.object_from_asset.push_back(object_from_asset);
   file.object_materials.push_back(read_materials(reader, asset, file));
   reader.not_supported({"node"});
   reader.finish();
@@ -112,6 +113,23 @@ void read_object(const ConfigTable& table, SceneFile& file) {
 }
 
 }  // namespace
+
+std::optional<int> read_object_reference(TableReader& table, const std::string& key,
+                                         const SceneFile& file) {
+  const auto name = table.text(key);
+  if (!name) return std::nullopt;
+  const auto found = file.object_of_name.find(*name);
+  if (found != file.object_of_name.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, index] : file.object_of_name) names.push_back(known);
+  table.report(table.place(key), fmt::format("there is no object \"{}\", the nearest is \"{}\"",
+                                             *name, nearest(*name, names)));
+  return std::nullopt;
+}
+
+Vec3 object_point(const SceneFile& file, int object, const Vec3& point) {
+  return Vec3(file.object_from_asset[static_cast<std::size_t>(object)] * glm::dvec4(point, 1.0));
+}
 
 void read_objects(TableReader& root, SceneFile& file) {
   for (const ConfigTable* table : root.tables("object")) read_object(*table, file);

@@ -87,13 +87,9 @@ TEST_F(BadScene, WhatThisVersionDoesNotDo) {
     return "\"" + word + "\" is not supported by this version of restframe";
   };
   check({
-      {in_camera("track = \"a\""), {"3:1: " + none("track")}},
-      {in_camera("on = \"a\""), {"3:1: " + none("on")}},
       {in_camera("aperture = 0.1"), {"3:1: " + none("aperture")}},
       {in_camera("focus = 1"), {"3:1: " + none("focus")}},
       {in_camera("rolling = 0.1"), {"3:1: " + none("rolling")}},
-      {in_camera("[[camera.key]]\ntime = 0"), {"3:10: " + none("key")}},
-      {in_camera("[[camera.leg]]\nduration = 0"), {"3:10: " + none("leg")}},
       {in_section("exposure", "shutter = 0.1"), {"2:1: " + none("shutter")}},
       {in_section("exposure", "count = 2"), {"2:1: " + none("count")}},
       {in_section("render", "depth = 8"), {"2:1: " + none("depth")}},
