@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 #include "importers/scene_file_camera.h"
 
 namespace restframe {
@@ -144,7 +147,8 @@ CameraMotion read_camera_legs(TableReader& camera, const Worldline& start) {
                                 fmt::format("{}: leg {}", camera.report.name, legs.size() + 1)});
     legs.push_back(read_leg(reader));
     here = AcceleratedPath(here, {legs.back()}).after_leg(0);
-    const double gamma = here.velocity.gamma();
+    // It is not a number where sinh overflows.
+    const double gamma = std::fmin(here.velocity.gamma(), std::numeric_limits<double>::infinity());
     if (too_fast || gamma <= largest_camera_gamma) continue;
     too_fast = true;
     reader.report(reader.place("acceleration"),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "physics/doppler.h"
 #include "scene/error.h"
@@ -28,12 +29,21 @@ WaveVector<in::World> sight_of(const AimPoint& aim, const Event<in::World>& obse
   return looking_along<in::World>(glm::normalize(to_point));
 }
 
+// What rounding of world coordinates leaves open in coordinates of the frame.
+double rounding_of(const AnchoredFrame<in::Rest>& frame, const Event<in::World>& e) {
+  const Event<in::World>& anchor = frame.anchor;
+  const double coordinates =
+      std::abs(e.t) + std::abs(anchor.t) + glm::length(e.x) + glm::length(anchor.x);
+  return 4.0 * std::numeric_limits<double>::epsilon() * frame.from_world.velocity().gamma() *
+         coordinates;
+}
+
 // In the target's rest frame the light comes straight from where the target rests (paper, section
 // 4.4).
 WaveVector<in::World> sight_of(const AimTrack& aim, const Event<in::World>& observer) {
   const AnchoredFrame<in::Rest> rest = aim.target.rest_frame();
   const Vec3 to_target = -rest(observer).x;
-  if (!(glm::length(to_target) > 0.0)) {
+  if (!(glm::length(to_target) > rounding_of(rest, observer))) {
     throw InputError("camera: it meets \"" + aim.name + "\", which it tracks; track another point");
   }
   return rest.from_world.inverse()(looking_along<in::Rest>(glm::normalize(to_target)));
