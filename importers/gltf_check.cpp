@@ -11,7 +11,11 @@ namespace restframe {
 namespace {
 
 constexpr std::array supported_extensions = {"KHR_materials_emissive_strength",
-                                             "KHR_materials_unlit", "KHR_mesh_quantization",
+                                             "KHR_materials_ior",
+                                             "KHR_materials_transmission",
+                                             "KHR_materials_unlit",
+                                             "KHR_materials_volume",
+                                             "KHR_mesh_quantization",
                                              "EXT_mesh_gpu_instancing"};
 
 struct Version {

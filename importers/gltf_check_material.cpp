@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 #include "importers/gltf_check.h"
 #include "scene/message.h"
@@ -31,16 +32,35 @@ void check_texture_use(const Place& place, const char* key, const Place& documen
   use.integer("texCoord", 0, 1000, 0);
 }
 
-void check_material_extensions(const Place& material) {
+void check_glass_textures(const Place& extension, const Place& document) {
+  for (const char* key : {"transmissionTexture", "thicknessTexture"}) {
+    check_texture_use(extension, key, document);
+  }
+}
+
+void check_material_extensions(const Place& material, const Place& document) {
   if (!material.has("extensions")) return;
   const Place extensions = material.member("extensions");
-  if (extensions.has("KHR_materials_unlit")) {
-    extensions.member("KHR_materials_unlit").require_object();
-  }
-  if (!extensions.has("KHR_materials_emissive_strength")) return;
-  const Place emission = extensions.member("KHR_materials_emissive_strength");
-  emission.require_object();
-  emission.check_number("emissiveStrength", 0, 1e15);
+  const auto check = [&](const char* name, const auto& body) {
+    if (!extensions.has(name)) return;
+    const Place extension = extensions.member(name);
+    extension.require_object();
+    body(extension);
+  };
+  check("KHR_materials_unlit", [](const Place&) {});
+  check("KHR_materials_emissive_strength",
+        [](const Place& emission) { emission.check_number("emissiveStrength", 0, 1e15); });
+  check("KHR_materials_ior", [](const Place& ior) { ior.check_number("ior", 0, 1e15); });
+  check("KHR_materials_transmission", [&](const Place& transmission) {
+    transmission.check_number("transmissionFactor", 0, 1);
+    check_glass_textures(transmission, document);
+  });
+  check("KHR_materials_volume", [&](const Place& volume) {
+    volume.check_number("thicknessFactor", 0, 1e30);
+    volume.check_number("attenuationDistance", 0, 1e30);
+    volume.check_numbers("attenuationColor", 3, 0, 1);
+    check_glass_textures(volume, document);
+  });
 }
 
 void check_material(const Place& material, const Place& document) {
@@ -66,7 +86,7 @@ void check_material(const Place& material, const Place& document) {
   }
   material.check_number("alphaCutoff", 0, 1e15);
   material.check_boolean("doubleSided");
-  check_material_extensions(material);
+  check_material_extensions(material, document);
 }
 
 void check_image(const Place& image, const Place& document) {
@@ -87,15 +107,29 @@ void check_sampler(const Place& sampler) {
   check_one_of(sampler, "wrapT", {clamp, mirrored, repeat});
 }
 
+void warn_of_maps(const Place& document, const char* map, std::size_t count) {
+  if (count == 0) return;
+  document.context().warn(
+      "/materials", std::string(map) + " of " + std::to_string(count) + " materials is left out");
+}
+
 void warn_of_unused_maps(const Place& document) {
   for (const char* key : {"normalTexture", "occlusionTexture"}) {
     std::size_t count = 0;
     for_each_object(document, "materials",
                     [&](const Place& material) { count += material.has(key); });
-    if (count > 0) {
-      document.context().warn("/materials", std::string(key) + " of " + std::to_string(count) +
-                                                " materials is left out");
-    }
+    warn_of_maps(document, key, count);
+  }
+  using Map = std::pair<const char*, const char*>;
+  for (const auto& [extension, key] : {Map{"KHR_materials_transmission", "transmissionTexture"},
+                                       Map{"KHR_materials_volume", "thicknessTexture"}}) {
+    std::size_t count = 0;
+    for_each_object(document, "materials", [&, name = extension, map = key](const Place& material) {
+      if (!material.has("extensions")) return;
+      const Place extensions = material.member("extensions");
+      count += extensions.has(name) && extensions.member(name).has(map);
+    });
+    warn_of_maps(document, key, count);
   }
 }
 

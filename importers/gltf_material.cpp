@@ -1,7 +1,10 @@
 #include "importers/gltf_material.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace restframe {
 namespace {
@@ -72,16 +75,48 @@ AlphaMode alpha_mode_of(const std::string& name) {
   return name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
 }
 
-void read_extensions(const tinygltf::Material& source, Material& material) {
+// The number under `key` of the extension `name`, if there is one.
+std::optional<float> extension_number(const tinygltf::Material& source, const char* name,
+                                      const std::string& key) {
+  const auto extension = source.extensions.find(name);
+  if (extension == source.extensions.end() || !extension->second.Has(key)) return std::nullopt;
+  return static_cast<float>(extension->second.Get(key).GetNumberAsDouble());
+}
+
+void set(TemporalNumber& number, const std::optional<float>& given) {
+  if (given) number.value = *given;
+}
+
+// How thick a body is, its mesh tells.
+void read_volume(const tinygltf::Material& source, Material& material) {
+  const auto volume = source.extensions.find("KHR_materials_volume");
+  if (volume == source.extensions.end()) return;
+  set(material.attenuation_distance,
+      extension_number(source, "KHR_materials_volume", "attenuationDistance"));
+  if (!volume->second.Has("attenuationColor")) return;
+  const tinygltf::Value& color = volume->second.Get("attenuationColor");
+  for (int i = 0; i < 3; ++i) {
+    material.attenuation_color.value[i] = static_cast<float>(color.Get(i).GetNumberAsDouble());
+  }
+}
+
+void read_extensions(const tinygltf::Material& source, const GltfContext& context,
+                     const std::string& pointer, Material& material) {
   material.unlit = source.extensions.count("KHR_materials_unlit") > 0;
-  const auto strength = source.extensions.find("KHR_materials_emissive_strength");
-  if (strength == source.extensions.end() || !strength->second.Has("emissiveStrength")) return;
-  material.emission_strength.value =
-      static_cast<float>(strength->second.Get("emissiveStrength").GetNumberAsDouble());
+  set(material.emission_strength,
+      extension_number(source, "KHR_materials_emissive_strength", "emissiveStrength"));
+  set(material.transmission,
+      extension_number(source, "KHR_materials_transmission", "transmissionFactor"));
+  set(material.ior, extension_number(source, "KHR_materials_ior", "ior"));
+  read_volume(source, material);
+  if (material.ior.value >= 1) return;
+  context.warn(pointer,
+               fmt::format("ior is {}, must be at least 1; 1 is used", material.ior.value));
+  material.ior.value = 1;
 }
 
 Material read_material(const tinygltf::Material& source, TextureTable& textures,
-                       const std::string& pointer) {
+                       const GltfContext& context, const std::string& pointer) {
   const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
   Material material;
   material.name = source.name;
@@ -99,7 +134,7 @@ Material read_material(const tinygltf::Material& source, TextureTable& textures,
   material.alpha_mode = alpha_mode_of(source.alphaMode);
   material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   material.double_sided = source.doubleSided;
-  read_extensions(source, material);
+  read_extensions(source, context, pointer, material);
   return material;
 }
 
@@ -110,7 +145,7 @@ void read_materials(const GltfContext& context, const tinygltf::Model& model, As
   TextureTable textures(context, model, asset, used_images);
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     Material material =
-        read_material(model.materials[i], textures, "/materials/" + std::to_string(i));
+        read_material(model.materials[i], textures, context, "/materials/" + std::to_string(i));
     if (material.name.empty()) material.name = "material_" + std::to_string(i);
     asset.materials.push_back(std::move(material));
   }

@@ -1,21 +1,17 @@
 #include "importers/material_change.h"
 
 namespace restframe {
-namespace {
-
-void set(const std::optional<Property>& change, TemporalNumber& number) {
-  if (!change) return;
-  if (const auto* constant = std::get_if<TemporalValue>(&*change)) number = {constant->x};
-  if (const auto* function = std::get_if<FunctionIndex>(&*change)) number.function = *function;
+void set(const std::optional<Property>& given, TemporalNumber& number) {
+  if (!given) return;
+  if (const auto* constant = std::get_if<TemporalValue>(&*given)) number = {constant->x};
+  if (const auto* function = std::get_if<FunctionIndex>(&*given)) number.function = *function;
 }
 
-void set(const std::optional<Property>& change, TemporalColor& color) {
-  if (!change) return;
-  if (const auto* constant = std::get_if<TemporalValue>(&*change)) color = {*constant};
-  if (const auto* function = std::get_if<FunctionIndex>(&*change)) color.function = *function;
+void set(const std::optional<Property>& given, TemporalColor& color) {
+  if (!given) return;
+  if (const auto* constant = std::get_if<TemporalValue>(&*given)) color = {*constant};
+  if (const auto* function = std::get_if<FunctionIndex>(&*given)) color.function = *function;
 }
-
-}  // namespace
 
 bool matches(std::string_view pattern, std::string_view name) {
   // Upon a mismatch the last * takes one character more.
@@ -44,6 +40,10 @@ void apply(const MaterialChange& change, Material& material) {
   set(change.emission, material.emission);
   set(change.emission_strength, material.emission_strength);
   set(change.opacity, material.opacity);
+  set(change.ior, material.ior);
+  set(change.transmission, material.transmission);
+  set(change.attenuation_color, material.attenuation_color);
+  set(change.attenuation_distance, material.attenuation_distance);
   if (change.base_color_texture == false) material.base_color_texture = {};
   if (change.unlit) material.unlit = *change.unlit;
   const bool see_through = material.opacity.function != no_function || material.opacity.value < 1;

@@ -42,7 +42,8 @@ class MtlRewriter {
       file_.fail(key, fmt::format("{} before the first newmtl", quote(key)));
     } else if (key == "Kd" || key == "Ke") {
       add_color(key, rest);
-    } else if (key == "d" || key == "Tr" || key == "Ns" || key == "Pr" || key == "Pm") {
+    } else if (key == "d" || key == "Tr" || key == "Ns" || key == "Ni" || key == "Pr" ||
+               key == "Pm") {
       add_number(key, rest);
     } else if (key == "map_Kd" || key == "map_Ke") {
       emit(key, trimmed(rest));

@@ -92,22 +92,23 @@ class Converter {
       result.roughness.value =
           std::sqrt(2 / (clamped("Ns", values.shininess, greatest_exponent) + 2));
     }
+    if (given("Ni")) result.ior.value = clamped("Ni", values.ior, greatest_ior, 1);
     if (given("Pr")) result.roughness.value = clamped("Pr", values.roughness, 1);
     if (given("Pm")) result.metallic.value = clamped("Pm", values.metallic, 1);
     return result;
   }
 
  private:
-  static constexpr float greatest_exponent = 1e9F, greatest_emission = 1e15F;
+  static constexpr float greatest_exponent = 1e9F, greatest_emission = 1e15F, greatest_ior = 1e15F;
 
   bool given(const char* key) const { return source_.given.count(key) > 0; }
 
-  float clamped(const char* key, float value, float greatest) {
-    if (value >= 0 && value <= greatest) return value;
-    warnings_.push_back(fmt::format("{}: material {}: {} is {}, brought into 0 to {}",
-                                    source_.file.string(), quote(source_.name), key, value,
+  float clamped(const char* key, float value, float greatest, float least = 0) {
+    if (value >= least && value <= greatest) return value;
+    warnings_.push_back(fmt::format("{}: material {}: {} is {}, brought into {} to {}",
+                                    source_.file.string(), quote(source_.name), key, value, least,
                                     greatest));
-    return value > greatest ? greatest : 0;
+    return value > greatest ? greatest : least;
   }
 
   Vec3f color(const char* key, const tinyobj::real_t (&rgb)[3], float greatest) {

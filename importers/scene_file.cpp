@@ -34,8 +34,8 @@ Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& wa
   read_settings(root, file);
   read_objects(root, file);
   read_camera(root, file);
+  read_lights(root, file);
   const std::vector<MaterialChange> changes = read_material_changes(root, file);
-  root.not_supported({"light"});
   root.finish();
   if (file.names_complete) assign_materials(changes, file);
   file.faults.throw_any();

@@ -49,6 +49,7 @@ struct SceneFile {
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   std::vector<ObjectMaterials> object_materials;  // one an object
   std::vector<Mat4> object_from_asset;            // likewise; the asset's units to light-seconds
+  std::vector<Mat3> object_rotations;             // `rotation` of each object
 };
 
 // A property as a file gives it: constant, or an index into Scene::functions.
@@ -59,23 +60,22 @@ struct MaterialChange {
   TextPosition at;
   std::string name;                         // exact, or a pattern in which * stands for anything
   std::optional<MaterialReference> object;  // only there
-  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity;
+  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity,
+      ior, transmission, attenuation_color, attenuation_distance;
   std::optional<bool> base_color_texture, unlit;
 };
 
 // [scene], [animation], [exposure], [render], [output]
 void read_settings(TableReader& root, SceneFile& file);
+void read_exposure(TableReader& root, SceneFile& file);
 void read_objects(TableReader& root, SceneFile& file);
-// After the objects, which it may name.
+// After the objects, which they may name.
 void read_camera(TableReader& root, SceneFile& file);
+void read_lights(TableReader& root, SceneFile& file);
 std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file);
 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
 std::optional<int> read_asset(TableReader& object, SceneFile& file);
-
-// The index of the object whose name stands under `key`.
-std::optional<int> read_object_reference(TableReader& table, const std::string& key,
-                                         const SceneFile& file);
 
 // A point in the coordinates of an object's asset as it is placed, from the object's origin in
 // light-seconds.
@@ -83,6 +83,9 @@ Vec3 object_point(const SceneFile& file, int object, const Vec3& point);
 
 std::optional<Property> read_property(TableReader& table, const std::string& key,
                                       const ValueRule& rule, SceneFile& file);
+
+// [camera]'s `aperture`, `focus` and `rolling`.
+void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera& camera);
 
 // `velocity`, in fractions of c; at rest if it is not given.
 Velocity read_velocity(TableReader& table);

@@ -8,16 +8,6 @@
 namespace restframe {
 namespace {
 
-// A pinhole whose rows are read at once is what is done.
-void refuse_lens_and_rolling(TableReader& camera) {
-  for (const char* key : {"aperture", "rolling"}) {
-    if (camera.number(key, at_least(0)).value_or(0) != 0) {
-      camera.not_supported(camera.key_place(key), key);
-    }
-  }
-  camera.not_supported({"focus"});
-}
-
 // Directions of a camera that rides an object are in the object's coordinates.
 void turn(const Mat4& object_from_asset, Aim& aim) {
   auto* ahead = std::get_if<AimDirection>(&aim);
@@ -60,7 +50,7 @@ void read_motion(TableReader& reader, const std::vector<CameraKey>& keys, SceneF
   const Vec3 position = reader.vector("position").value_or(Vec3(0));
   const double time = reader.number("time").value_or(0);
   const Velocity velocity = read_velocity(reader);
-  const std::optional<int> ridden = read_object_reference(reader, "on", file);
+  const std::optional<int> ridden = read_object_name(reader, "on", file);
   const CameraMotion free =
       read_camera_legs(reader, {{time, position / file.scene.light_speed}, velocity});
   if (ridden) {
@@ -102,7 +92,7 @@ void read_camera(TableReader& root, SceneFile& file) {
   const std::vector<CameraKey> keys = read_camera_keys(reader, file);
   camera.view_keys = view_keys(keys, camera, reader.report);
   read_motion(reader, keys, file);
-  refuse_lens_and_rolling(reader);
+  read_lens_and_rolling(reader, file.scene.light_speed, camera);
   reader.finish();
 }
 

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
-#include "importers/scene_file.h"
+#include "importers/scene_file_motion.h"
 
 namespace restframe {
 namespace {
 
-std::optional<MaterialReference> read_object_name(TableReader& material, const SceneFile& file) {
-  const std::optional<int> index = read_object_reference(material, "object", file);
+std::optional<MaterialReference> read_object_reference(TableReader& material,
+                                                       const SceneFile& file) {
+  const std::optional<int> index = read_object_name(material, "object", file);
   if (!index) return std::nullopt;
   return MaterialReference{material.place("object"),
                            file.scene.objects[static_cast<std::size_t>(*index)].name};
@@ -23,8 +24,12 @@ void read_properties(TableReader& material, MaterialChange& change, SceneFile& f
   change.opacity = read_property(material, "opacity", fraction, file);
   change.base_color_texture = material.boolean("base_color_texture");
   change.unlit = material.boolean("unlit");
-  material.not_supported({"ior", "transmission", "attenuation_color", "attenuation_distance",
-                          "specular", "specular_color", "clearcoat", "clearcoat_roughness",
+  change.ior = read_property(material, "ior", {false, at_least(1)}, file);
+  change.transmission = read_property(material, "transmission", fraction, file);
+  change.attenuation_color = read_property(material, "attenuation_color", reflectance, file);
+  change.attenuation_distance =
+      read_property(material, "attenuation_distance", {false, at_least(0)}, file);
+  material.not_supported({"specular", "specular_color", "clearcoat", "clearcoat_roughness",
                           "sheen_color", "sheen_roughness", "normal_scale"});
 }
 
@@ -37,7 +42,7 @@ std::optional<MaterialChange> read_change(const ConfigTable& table, SceneFile& f
   MaterialChange change;
   change.at = material.place("name");
   change.name = name.value_or("");
-  change.object = read_object_name(material, file);
+  change.object = read_object_reference(material, file);
   const bool lost = !name || (material.has("object") && !change.object);
   read_properties(material, change, file);
   material.finish();

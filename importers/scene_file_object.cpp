@@ -2,35 +2,11 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "importers/scene_file.h"
+#include "importers/scene_file_motion.h"
 #include "scene/suggest.h"
 
 namespace restframe {
 namespace {
-
-Velocity read_motion(TableReader& object) {
-  object.one_of({"velocity", "gamma"});
-  const std::optional<double> gamma = object.number("gamma", from_to(1, 1e8));
-  const std::optional<Vec3> direction = read_direction(object, "direction");
-  if (object.has("gamma") != object.has("direction")) {
-    const std::string given = object.has("gamma") ? "gamma" : "direction";
-    object.report(object.key_place(given), "gamma and direction go together");
-  }
-  const Velocity velocity = read_velocity(object);
-  return gamma && direction ? Velocity::from_gamma(*gamma, *direction) : velocity;
-}
-
-void read_clock(TableReader& table, Object& object) {
-  const ConfigValue* value = table.find("clock");
-  if (!value) return;
-  const auto* text = std::get_if<std::string>(&value->data);
-  object.frame_clock = text && *text == "frame";
-  if (text && !object.frame_clock) {
-    table.report(value->at, fmt::format("clock is \"{}\", must be a number or \"frame\"", *text));
-  } else if (!text) {
-    object.clock = table.number("clock").value_or(0);
-  }
-}
 
 // Degrees about the fixed axes: first x, then y, then z.
 Mat4 rotation_matrix(const Vec3& degrees) {
@@ -40,10 +16,12 @@ Mat4 rotation_matrix(const Vec3& degrees) {
          glm::rotate(Mat4(1), angle.x, Vec3(1, 0, 0));
 }
 
-Mat4 read_placement(TableReader& table, double light_speed) {
+Mat4 read_placement(TableReader& table, SceneFile& file) {
   const Vec3 degrees = table.vector("rotation").value_or(Vec3(0));
   const double scale = table.number("scale", above(0)).value_or(1);
-  return glm::scale(rotation_matrix(degrees), Vec3(scale / light_speed));
+  const Mat4 rotation = rotation_matrix(degrees);
+  file.object_rotations.push_back(Mat3(rotation));
+  return glm::scale(rotation, Vec3(scale / file.scene.light_speed));
 }
 
 void add_slot_materials(const ConfigEntry& entry, const SceneAsset& asset, const Reporter& report,
@@ -95,12 +73,11 @@ void read_object(const ConfigTable& table, SceneFile& file) {
   object.name = read_name(table, file);
   TableReader reader(table, {file.faults, fmt::format("object \"{}\"", object.name)});
   reader.find("name");
-  const double light_speed = file.scene.light_speed;
-  object.worldline.reference.x = reader.vector("position").value_or(Vec3(0)) / light_speed;
-  object.worldline.reference.t = reader.number("time").value_or(0);
-  object.worldline.velocity = read_motion(reader);
-  read_clock(reader, object);
-  const Mat4 object_from_asset = read_placement(reader, light_speed);
+  const ClockedWorldline own = read_clocked_worldline(reader, "direction", file.scene.light_speed);
+  object.worldline = own.worldline;
+  object.clock = own.clock;
+  object.frame_clock = own.frame_clock;
+  const Mat4 object_from_asset = read_placement(reader, file);
   const std::optional<int> asset = read_asset(reader, file);
   if (asset) {
     object.parts = placed_parts(file.assets[static_cast<std::size_t>(*asset)], object_from_asset);
@@ -113,19 +90,6 @@ void read_object(const ConfigTable& table, SceneFile& file) {
 }
 
 }  // namespace
-
-std::optional<int> read_object_reference(TableReader& table, const std::string& key,
-                                         const SceneFile& file) {
-  const auto name = table.text(key);
-  if (!name) return std::nullopt;
-  const auto found = file.object_of_name.find(*name);
-  if (found != file.object_of_name.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [known, index] : file.object_of_name) names.push_back(known);
-  table.report(table.place(key), fmt::format("there is no object \"{}\", the nearest is \"{}\"",
-                                             *name, nearest(*name, names)));
-  return std::nullopt;
-}
 
 Vec3 object_point(const SceneFile& file, int object, const Vec3& point) {
   return Vec3(file.object_from_asset[static_cast<std::size_t>(object)] * glm::dvec4(point, 1.0));

@@ -41,22 +41,6 @@ void read_animation(TableReader& root, SceneFile& file) {
   animation.finish();
 }
 
-// One exposure without duration is what is done; `interval` and `combine` mean nothing to it.
-void read_exposure(TableReader& root, SceneFile& file) {
-  const ConfigTable* table = root.table("exposure");
-  if (!table) return;
-  TableReader exposure(*table, {file.faults, "exposure"});
-  if (exposure.number("shutter", at_least(0)).value_or(0) != 0) {
-    exposure.not_supported(exposure.key_place("shutter"), "shutter");
-  }
-  if (exposure.integer("count", 1, 1'000'000).value_or(1) != 1) {
-    exposure.not_supported(exposure.key_place("count"), "count");
-  }
-  exposure.number("interval");
-  exposure.choice("combine", {"sum", "mean", "max"});
-  exposure.finish();
-}
-
 void read_resolution(TableReader& render, RenderSettings& settings) {
   const ConfigValue* value = render.find("resolution");
   if (!value) return;
@@ -81,13 +65,13 @@ void read_render(TableReader& root, SceneFile& file) {
   settings.beaming = render.boolean("beaming").value_or(settings.beaming);
   settings.seed = static_cast<std::uint64_t>(
       render.whole_number("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0));
-  if (render.choice("integrator", {"preview", "path"}) == std::size_t{1}) {
-    render.not_supported(render.place("integrator"), "path");
+  if (const auto index = render.choice("integrator", {"preview", "path"})) {
+    settings.integrator = static_cast<IntegratorKind>(*index);
   }
+  settings.depth = render.integer("depth", 1, 64).value_or(settings.depth);
   if (render.boolean("doppler").value_or(false)) {
     render.not_supported(render.key_place("doppler"), "doppler");
   }
-  render.not_supported({"depth"});
   render.finish();
 }
 

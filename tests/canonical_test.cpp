@@ -28,6 +28,8 @@ Scene base() {
   object.parts = {{0, Mat4(1)}};
   object.materials = {0};
   scene.objects = {object};
+  scene.lights.resize(2);
+  scene.lights[0].sweep = Sweep();
   scene.functions.push_back(IntervalFunction{1.0, {{0, 0.5, Vec3f(1)}}});
   scene.functions.push_back(KeyFunction{{}, {{0, Vec3f(0)}, {1, Vec3f(1)}}});
   scene.functions.push_back(FormulaFunction{{"t"}, Vec3f(0), Vec3f(1)});
@@ -133,6 +135,8 @@ TEST(Canonical, ChangesWithSettings) {
       {"width", [](Scene& s) { s.render.width = 10; }},
       {"height", [](Scene& s) { s.render.height = 10; }},
       {"samples", [](Scene& s) { s.render.samples = 17; }},
+      {"integrator", [](Scene& s) { s.render.integrator = IntegratorKind::path; }},
+      {"depth", [](Scene& s) { s.render.depth = 3; }},
       {"beaming", [](Scene& s) { s.render.beaming = true; }},
       {"seed", [](Scene& s) { s.render.seed = ~0ULL; }},
       {"layers", [](Scene& s) { s.output.layers.push_back(Layer::time); }},
@@ -197,6 +201,11 @@ TEST(Canonical, ChangesWithMaterials) {
       {"roughness", [](Scene& s) { s.materials[0].roughness.value = 0.5F; }},
       {"emission", [](Scene& s) { s.materials[0].emission.value.x = 0.5F; }},
       {"emission_strength", [](Scene& s) { s.materials[0].emission_strength.value = 0.5F; }},
+      {"ior", [](Scene& s) { s.materials[0].ior.value = 1.25F; }},
+      {"ior's function", [](Scene& s) { s.materials[0].ior.function = 0; }},
+      {"transmission", [](Scene& s) { s.materials[0].transmission.value = 0.5F; }},
+      {"attenuation_color", [](Scene& s) { s.materials[0].attenuation_color.value.y = 0.5F; }},
+      {"attenuation_distance", [](Scene& s) { s.materials[0].attenuation_distance.value = 0.5F; }},
       {"base colour's texture", [](Scene& s) { s.materials[0].base_color_texture.texture = 0; }},
       {"its UV set", [](Scene& s) { s.materials[0].base_color_texture.uv_set = 1; }},
       {"emission's texture", [](Scene& s) { s.materials[0].emission_texture.texture = 0; }},
@@ -204,6 +213,38 @@ TEST(Canonical, ChangesWithMaterials) {
       {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
+  });
+}
+
+TEST(Canonical, ChangesWithLights) {
+  expect_all_different({
+      {"kind", [](Scene& s) { s.lights[1].kind = LightKind::sun; }},
+      {"position", [](Scene& s) { s.lights[0].worldline.reference.x.z = 1; }},
+      {"time", [](Scene& s) { s.lights[0].worldline.reference.t = 1; }},
+      {"velocity",
+       [](Scene& s) {
+         s.lights[0].worldline.velocity = Velocity::from_beta({0, 0, 0.5});
+       }},
+      {"clock", [](Scene& s) { s.lights[0].clock = 1; }},
+      {"frame clock", [](Scene& s) { s.lights[0].frame_clock = true; }},
+      {"direction",
+       [](Scene& s) {
+         s.lights[1].direction = {0, 1, 0};
+       }},
+      {"sweep", [](Scene& s) { s.lights[1].sweep = Sweep(); }},
+      {"sweep's axis",
+       [](Scene& s) {
+         s.lights[0].sweep->axis = {0, 0, 1};
+       }},
+      {"sweep's period", [](Scene& s) { s.lights[0].sweep->period = 2; }},
+      {"inner cone", [](Scene& s) { s.lights[0].inner_cone = 0.1; }},
+      {"outer cone", [](Scene& s) { s.lights[0].outer_cone = 0.9; }},
+      {"color", [](Scene& s) { s.lights[0].color.value.y = 0.5F; }},
+      {"color's function", [](Scene& s) { s.lights[0].color.function = 1; }},
+      {"intensity", [](Scene& s) { s.lights[1].intensity.value = 2; }},
+      {"intensity's function", [](Scene& s) { s.lights[1].intensity.function = 0; }},
+      {"group", [](Scene& s) { s.lights[1].group = "key"; }},
+      {"a light more", [](Scene& s) { s.lights.emplace_back(); }},
   });
 }
 
@@ -239,6 +280,7 @@ TEST(Canonical, StaysWithWhatChangesNoPixel) {
        [](Scene& s) {
          s.sources.push_back({"a.glb", "00"});
        }},  // told apart
+      {"a light's name", [](Scene& s) { s.lights[0].name = "other"; }},
       {"a mesh's name", [](Scene& s) { s.meshes[0].name = "other"; }},
       {"capacity", [](Scene& s) { s.meshes[0].positions.reserve(100); }},
   };

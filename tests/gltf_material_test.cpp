@@ -76,6 +76,34 @@ TEST(GltfMaterial, ReadsEveryFactor) {
   EXPECT_TRUE(material.unlit);
 }
 
+TEST(GltfMaterial, ReadsGlass) {
+  const json source = {{"extensions",
+                        {{"KHR_materials_ior", {{"ior", 1.75}}},
+                         {"KHR_materials_transmission", {{"transmissionFactor", 0.5}}},
+                         {"KHR_materials_volume",
+                          {{"attenuationDistance", 2.5}, {"attenuationColor", {0.5, 1, 0.25}}}}}}};
+  GltfBuilder builder = with_material(source);
+  builder.json["extensionsRequired"] = {"KHR_materials_ior", "KHR_materials_transmission",
+                                        "KHR_materials_volume"};
+  const Material material = load(builder).materials.at(0);
+  EXPECT_EQ(material.ior.value, 1.75F);
+  EXPECT_EQ(material.transmission.value, 0.5F);
+  EXPECT_EQ(material.attenuation_distance.value, 2.5F);
+  EXPECT_EQ(material.attenuation_color.value, Vec3f(0.5F, 1, 0.25F));
+}
+
+TEST(GltfMaterial, EmptyGlassHasDefaults) {
+  const Material material = load(with_material({{"extensions",
+                                                 {{"KHR_materials_ior", json::object()},
+                                                  {"KHR_materials_transmission", json::object()},
+                                                  {"KHR_materials_volume", json::object()}}}}))
+                                .materials.at(0);
+  EXPECT_EQ(material.ior.value, 1.5F);
+  EXPECT_EQ(material.transmission.value, 0);
+  EXPECT_EQ(material.attenuation_distance.value, 0);
+  EXPECT_EQ(material.attenuation_color.value, Vec3f(1));
+}
+
 GltfBuilder with_textures() {
   GltfBuilder builder = with_material({{"pbrMetallicRoughness",
                                         {{"baseColorTexture", {{"index", 1}, {"texCoord", 1}}},

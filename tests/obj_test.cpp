@@ -228,6 +228,15 @@ TEST_F(Obj, MaterialsOfAnMtlFile) {
   EXPECT_THAT(warnings_, testing::ElementsAre(HasSubstr("not used: Ks")));
 }
 
+TEST_F(Obj, IndicesOfRefraction) {
+  write("glass.mtl", "newmtl glass\nNi 1.75\nnewmtl odd\nNi 0.5\n");
+  const Asset asset =
+      load("mtllib glass.mtl\n" + square + "usemtl glass\nf 1 2 3\nusemtl odd\nf 1 2 4\n");
+  EXPECT_EQ(asset.materials.at(0).ior.value, 1.75F);
+  EXPECT_EQ(asset.materials.at(1).ior.value, 1);
+  EXPECT_THAT(warnings_, testing::ElementsAre(HasSubstr("Ni is 0.5, brought into 1 to")));
+}
+
 TEST_F(Obj, UnknownMaterialsAreGreyAndNamed) {
   const Asset asset = load("mtllib none.mtl\n" + square + "f 1 2 3\nusemtl balls\nf 1 2 4\n");
   ASSERT_EQ(asset.materials.size(), 2U);

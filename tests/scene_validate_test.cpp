@@ -72,6 +72,8 @@ TEST(Validate, Settings) {
   one([](Scene& s) { s.render.width = 0; }, "width is 0, must be from 1 to 32768");
   one([](Scene& s) { s.render.height = 32769; }, "height is 32769");
   one([](Scene& s) { s.render.samples = 0; }, "samples is 0, must be from 1 to 65536");
+  one([](Scene& s) { s.render.depth = 0; }, "depth is 0, must be from 1 to 64");
+  one([](Scene& s) { s.render.depth = 65; }, "depth is 65");
   one([](Scene& s) { s.output.path = "a.png"; }, ".exr");
   one([](Scene& s) { s.output.path = "a.exr", s.animation.pictures = 2; }, "run of #");
   one([](Scene& s) { s.output.path = "#/#.exr"; }, "one run of #");
@@ -203,6 +205,14 @@ TEST(Validate, MaterialsTexturesAndFunctions) {
   one([](Scene& s) { s.materials[0].base_color.value.y = std::nanf(""); }, "base_color");
   one([](Scene& s) { s.materials[0].emission.value.x = -1; }, "emission");
   one([](Scene& s) { s.materials[0].opacity.value = std::nanf(""); }, "opacity");
+  one([](Scene& s) { s.materials[0].ior.value = 0.5F; }, "ior is 0.5, must be at least 1");
+  one([](Scene& s) { s.materials[0].ior.value = std::nanf(""); }, "ior");
+  one([](Scene& s) { s.materials[0].ior.value = INFINITY; }, "ior is inf");
+  one([](Scene& s) { s.materials[0].transmission.value = 1.5F; },
+      "transmission is 1.5, must be from 0 to 1");
+  one([](Scene& s) { s.materials[0].transmission.function = -2; }, "temporal function -2");
+  one([](Scene& s) { s.materials[0].attenuation_color.value.z = 2; }, "attenuation_color");
+  one([](Scene& s) { s.materials[0].attenuation_distance.value = -1; }, "attenuation_distance");
   one([](Scene& s) { s.materials[0].base_color_texture.texture = 1; }, "texture 1 of 1");
   one([](Scene& s) { s.materials[0].base_color_texture.uv_set = 2; }, "UV set 2");
   one([](Scene& s) { s.textures[0].image = 1; }, "image 1 of 1");
@@ -210,6 +220,33 @@ TEST(Validate, MaterialsTexturesAndFunctions) {
   one([](Scene& s) { s.images[0].width = 0; }, "0 x 1");
   one([](Scene& s) { std::get<IntervalFunction>(s.functions[0]).period = 0; }, "period is 0");
   one([](Scene& s) { s.functions[0] = FormulaFunction{{"t="}, {}, {}}; }, "temporal function 0");
+}
+
+TEST(Validate, Lights) {
+  const auto one = [](const std::function<void(Light&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { spoil(s.lights.emplace_back()); }),
+                ElementsAre(HasSubstr(words)));
+  };
+  EXPECT_THAT(faults([](Scene& s) { s.lights.emplace_back().sweep = Sweep(); }), IsEmpty());
+  one([](Light& l) { l.worldline.reference.x.y = std::nan(""); }, "light \"\": position");
+  one([](Light& l) { l.worldline.velocity = Velocity::from_beta({0.8, 0.8, 0}); }, "|velocity|");
+  one([](Light& l) { l.clock = inf; }, "clock");
+  one([](Light& l) { l.direction = {0, 0, 2}; }, "direction must be of length 1");
+  one([](Light& l) { l.direction.x = std::nan(""); }, "direction");
+  one([](Light& l) { l.inner_cone = 1, l.outer_cone = 0.5; }, "cone");
+  one([](Light& l) { l.inner_cone = -0.1; }, "cone");
+  one([](Light& l) { l.outer_cone = 1.6; }, "cone");
+  one([](Light& l) { l.outer_cone = 0; }, "cone is [0, 0]");
+  one([](Light& l) { l.outer_cone = std::nan(""); }, "cone");
+  one([](Light& l) { l.sweep = Sweep{{0, 0, 0}, 1}; }, "axis of sweep");
+  one([](Light& l) { l.sweep = Sweep{{0, 1, 0}, 0}; }, "period of sweep is 0");
+  one([](Light& l) { l.sweep = Sweep{{0, 1, 0}, inf}; }, "period of sweep is inf");
+  one([](Light& l) { l.color.value.x = -1; }, "color is [-1, 1, 1]");
+  one([](Light& l) { l.color.function = 1; }, "color refers to temporal function 1 of 1");
+  one([](Light& l) { l.intensity.value = std::nanf(""); }, "intensity is nan");
+  one([](Light& l) { l.intensity.value = -1; }, "intensity is -1, must be at least 0");
+  EXPECT_THAT(faults([](Scene& s) { s.lights.resize(2); }),
+              ElementsAre(HasSubstr("two lights are light \"\"")));
 }
 
 TEST(Validate, ListsEveryFault) {

@@ -56,12 +56,11 @@ Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
 void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool single, bool quiet,
                      int threads) {
   const FrameSet frames(scene, threads);
-  const Preview integrator(scene, frames);
+  const Integrator integrator = make_integrator(scene, frames);
   EvaluatorPool evaluators(scene.functions);
   Progress progress(numbers.size(),
                     static_cast<std::size_t>(scene.render.width) *
-                        static_cast<std::size_t>(scene.render.height) *
-                        static_cast<std::size_t>(scene.render.samples),
+                        static_cast<std::size_t>(scene.render.height) * samples_a_pixel(scene),
                     quiet);
   const RenderContext context{scene, integrator, evaluators,
                               [&](std::size_t samples) { progress.samples_done(samples); }};

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include "app/signals.h"
+#include "film/exposures.h"
 #include "scene/error.h"
 #include "scene/parallel.h"
-#include "tracer/film_samples.h"
-#include "tracer/null_ray.h"
+#include "tracer/camera_sampler.h"
+#include "tracer/exposed_camera.h"
 
 namespace restframe {
 namespace {
@@ -19,64 +20,56 @@ static_assert(block_side * block_side == packet_size);
 struct PictureView {
   const RenderContext& context;
   int number;
-  CameraPose pose;
-  Projection projection;
-  std::vector<Vec2f> offsets;
+  CameraSampler sampler;
+  ExposedCamera camera;
+
+  PictureView(const RenderContext& of, int picture)
+      : context(of),
+        number(picture),
+        sampler(of.scene),
+        camera(of.scene, sampler, picture_time(of.scene.animation, picture)) {}
 };
 
+// A square of pixels that is rendered as one packet after the other.
+template <class Tracer>
 struct Block {
-  int x, y;  // of its top left pixel
+  const PictureView& view;
+  const Tracer& integrator;
+  TemporalEvaluator& evaluator;
+  PixelLanes pixels;
+  Lanes<std::int32_t> active;  // lanes off the picture stay inactive
+  PacketId id;
 };
 
-int pixel_x(const Block& block, int lane) {
-  return block.x + lane % block_side;
-}
-int pixel_y(const Block& block, int lane) {
-  return block.y + lane / block_side;
+PixelLanes block_pixels(int left, int top) {
+  PixelLanes pixels;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    pixels.x[lane] = left + lane % block_side;
+    pixels.y[lane] = top + lane / block_side;
+  }
+  return pixels;
 }
 
-// Film positions of the block's pixels for one sample. Lanes off the picture stay inactive.
-void place_samples(const PictureView& view, const Block& block, int sample, Lanes<double>& film_x,
-                   Lanes<double>& film_y, RayPacket& rays) {
+template <class Tracer>
+Block<Tracer> make_block(const PictureView& view, const Tracer& integrator,
+                         TemporalEvaluator& evaluator, int left, int top) {
   const RenderSettings& settings = view.context.scene.render;
-  const Vec2f& offset = view.offsets[static_cast<std::size_t>(sample)];
+  Block<Tracer> block{view, integrator, evaluator, block_pixels(left, top), {}, {}};
+  block.id.seed = settings.seed;
+  block.id.picture = static_cast<std::uint32_t>(view.number);
   for (int lane = 0; lane < packet_size; ++lane) {
-    const int x = pixel_x(block, lane);
-    const int y = pixel_y(block, lane);
-    film_x[lane] = x + 0.5 + static_cast<double>(offset.x);
-    film_y[lane] = y + 0.5 + static_cast<double>(offset.y);
-    rays.active[lane] = x < settings.width && y < settings.height ? -1 : 0;
+    const int x = block.pixels.x[lane];
+    const int y = block.pixels.y[lane];
+    block.active[lane] = x < settings.width && y < settings.height ? -1 : 0;
+    block.id.pixel[lane] = static_cast<std::uint32_t>(y * settings.width + x);
   }
+  return block;
 }
 
-PacketId block_id(const PictureView& view, const Block& block) {
-  const RenderSettings& settings = view.context.scene.render;
-  PacketId id;
-  id.seed = settings.seed;
-  id.picture = static_cast<std::uint32_t>(view.number);
+template <class Tracer, class Store>
+void for_pixels(const Block<Tracer>& block, const Store& store) {
   for (int lane = 0; lane < packet_size; ++lane) {
-    id.pixel[lane] =
-        static_cast<std::uint32_t>(pixel_y(block, lane) * settings.width + pixel_x(block, lane));
-  }
-  return id;
-}
-
-void store(Picture& picture, const Block& block, const RadianceLanes& sum, float scale) {
-  const int columns = std::min(block_side, picture.width() - block.x);
-  const int rows = std::min(block_side, picture.height() - block.y);
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const int lane = row * block_side + column;
-      picture.set_radiance(block.x + column, block.y + row, scale * sum[lane]);
-    }
-  }
-}
-
-void store(Picture& picture, const Block& block, const SurfaceDataLanes& data) {
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const int x = pixel_x(block, lane);
-    const int y = pixel_y(block, lane);
-    if (x < picture.width() && y < picture.height()) picture.set_data(x, y, data[lane]);
+    if (block.active[lane] != 0) store(block.pixels.x[lane], block.pixels.y[lane], lane);
   }
 }
 
@@ -84,30 +77,73 @@ void add(RadianceLanes& sum, const RadianceLanes& radiance) {
   for (int lane = 0; lane < packet_size; ++lane) sum[lane] += radiance[lane];
 }
 
-void render_block(const PictureView& view, const Block& block, TemporalEvaluator& evaluator,
-                  Picture& picture) {
-  const int samples = picture.has_beauty() ? view.context.scene.render.samples : 1;
-  RadianceLanes sum;
-  sum.fill(Vec4f(0));
-  PacketId id;
-  if (picture.has_data()) id = block_id(view, block);  // only they draw random numbers
-  for (int sample = 0; sample < samples; ++sample) {
-    id.sample = static_cast<std::uint32_t>(sample);
-    Lanes<double> film_x, film_y;
-    RayPacket rays;
-    place_samples(view, block, sample, film_x, film_y, rays);
-    camera_rays(view.pose, view.projection, film_x, film_y, rays);
+template <class Tracer>
+void trace(const Block<Tracer>& block, const PacketId& id, int exposure, const CameraSample& sample,
+           RadianceLanes& radiance, SurfaceDataLanes* data) {
+  RayPacket rays;
+  rays.active = block.active;
+  block.view.camera.rays(exposure, sample, rays);
+  block.integrator.trace(rays, id, block.evaluator, radiance, data);
+}
+
+template <class Tracer>
+void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
+                          RadianceLanes& radiance, Picture& picture) {
+  SurfaceDataLanes data;
+  trace(block, block.id, 0, sample, radiance, &data);
+  for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
+}
+
+// Data layers of samples that are spread over time or the lens: no sample is the ray they hold.
+template <class Tracer>
+void render_data(const Block<Tracer>& block, Picture& picture) {
+  CameraSample sample;
+  block.view.sampler.take_center(block.pixels, sample);
+  RadianceLanes unused;
+  trace_and_store_data(block, sample, unused, picture);
+}
+
+// The sum over the samples of one exposure; data layers are those of the very first sample.
+template <class Tracer>
+void render_exposure(const Block<Tracer>& block, int exposure, int samples, bool with_data,
+                     RadianceLanes& sum, Picture& picture) {
+  const CameraSampler& sampler = block.view.sampler;
+  PacketId id = block.id;
+  const auto first = static_cast<std::uint32_t>(exposure) * static_cast<std::uint32_t>(samples);
+  id.sample = first;
+  CameraSampler::Starts starts;
+  sampler.start(id, starts);
+  for (int index = 0; index < samples; ++index) {
+    id.sample = first + static_cast<std::uint32_t>(index);
+    CameraSample sample;
+    sampler.take(id, block.pixels, starts, index, sample);
     RadianceLanes radiance;
-    if (sample == 0 && picture.has_data()) {
-      SurfaceDataLanes data;
-      view.context.integrator.trace(rays, id, evaluator, radiance, &data);
-      store(picture, block, data);
+    if (with_data && id.sample == 0) {
+      trace_and_store_data(block, sample, radiance, picture);
     } else {
-      view.context.integrator.trace(rays, id, evaluator, radiance, nullptr);
+      trace(block, id, exposure, sample, radiance, nullptr);
     }
     add(sum, radiance);
   }
-  store(picture, block, sum, 1.0F / static_cast<float>(samples));
+}
+
+template <class Tracer>
+void render_block(const Block<Tracer>& block, Picture& picture) {
+  const Scene& scene = block.view.context.scene;
+  const bool data_apart = picture.has_data() && block.view.sampler.spreads();
+  if (data_apart) render_data(block, picture);
+  if (data_apart && !picture.has_beauty()) return;
+  const int samples = picture.has_beauty() ? scene.render.samples : 1;
+  const int exposures = picture.has_beauty() ? scene.exposure.count : 1;
+  ExposureTotal total(scene.exposure);
+  for (int exposure = 0; exposure < exposures; ++exposure) {
+    if (interrupt_requested()) throw Interrupted();
+    RadianceLanes sum;
+    sum.fill(Vec4f(0));
+    render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
+    total.add(sum, 1.0F / static_cast<float>(samples));
+  }
+  for_pixels(block, [&](int x, int y, int lane) { picture.set_radiance(x, y, total.pixel(lane)); });
 }
 
 std::string formula_text(const Scene& scene, FunctionIndex function) {
@@ -126,7 +162,9 @@ void check_fault(const Scene& scene, const TemporalEvaluator& evaluator) {
                                formula_text(scene, fault.function), fault.time));
 }
 
-void render_tile(const PictureView& view, std::size_t tile, Picture& picture) {
+template <class Tracer>
+void render_tile(const PictureView& view, const Tracer& integrator, std::size_t tile,
+                 Picture& picture) {
   const int tiles_across = (picture.width() + tile_size - 1) / tile_size;
   const int left = static_cast<int>(tile) % tiles_across * tile_size;
   const int top = static_cast<int>(tile) / tiles_across * tile_size;
@@ -135,15 +173,15 @@ void render_tile(const PictureView& view, std::size_t tile, Picture& picture) {
   std::unique_ptr<TemporalEvaluator> evaluator = view.context.evaluators.take();
   for (int y = top; y < bottom; y += block_side) {
     for (int x = left; x < right; x += block_side) {
-      if (interrupt_requested()) throw Interrupted();
-      render_block(view, {x, y}, *evaluator, picture);
+      render_block(make_block(view, integrator, *evaluator, x, y), picture);
     }
   }
   check_fault(view.context.scene, *evaluator);
+  check_faults(integrator);
   view.context.evaluators.bring_back(std::move(evaluator));
-  const std::size_t pixels = static_cast<std::size_t>((right - left) * (bottom - top));
+  const auto pixels = static_cast<std::size_t>((right - left) * (bottom - top));
   if (view.context.samples_done) {
-    view.context.samples_done(pixels * static_cast<std::size_t>(view.context.scene.render.samples));
+    view.context.samples_done(pixels * samples_a_pixel(view.context.scene));
   }
 }
 
@@ -153,21 +191,27 @@ double picture_time(const AnimationSettings& animation, int number) {
   return animation.start + number / animation.rate;
 }
 
+std::size_t samples_a_pixel(const Scene& scene) {
+  return static_cast<std::size_t>(scene.render.samples) *
+         static_cast<std::size_t>(scene.exposure.count);
+}
+
 Picture blank_picture(const Scene& scene) {
   return {scene.render.width, scene.render.height, scene.output.layers, {scene.light_speed}};
 }
 
 void render_picture(const RenderContext& context, int number, Picture& picture) {
-  const Scene& scene = context.scene;
-  const RenderSettings& settings = scene.render;
-  const CameraPose pose = pose_at(scene.camera, picture_time(scene.animation, number));
-  const Projection projection(pose, pose.vertical_fov, settings.width, settings.height);
-  const PictureView view{context, number, pose, projection, film_offsets(settings.samples)};
+  const PictureView view(context, number);
   const auto tiles = [](int length) {
     return static_cast<std::size_t>((length + tile_size - 1) / tile_size);
   };
-  parallel_for(tiles(settings.width) * tiles(settings.height),
-               [&](std::size_t tile) { render_tile(view, tile, picture); });
+  const std::size_t count = tiles(picture.width()) * tiles(picture.height());
+  std::visit(
+      [&](const auto& integrator) {
+        parallel_for(count,
+                     [&](std::size_t tile) { render_tile(view, integrator, tile, picture); });
+      },
+      context.integrator);
 }
 
 }  // namespace restframe

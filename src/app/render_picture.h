@@ -5,20 +5,23 @@
 #include "app/evaluator_pool.h"
 #include "film/picture.h"
 #include "scene/scene.h"
-#include "tracer/preview.h"
+#include "tracer/integrator.h"
 
 namespace restframe {
 
 // What all pictures of an animation share.
 struct RenderContext {
   const Scene& scene;
-  const Preview& integrator;
+  const Integrator& integrator;
   EvaluatorPool& evaluators;
   std::function<void(std::size_t)> samples_done;  // called now and then, from any thread
 };
 
 // The camera's own time of a picture.
 double picture_time(const AnimationSettings& animation, int number);
+
+// Over all exposures.
+std::size_t samples_a_pixel(const Scene& scene);
 
 // An empty picture with the scene's size and layers.
 Picture blank_picture(const Scene& scene);

@@ -78,4 +78,21 @@ void FrameSet::nearest(const RayPacket& rays, HitPacket& hits) const {
   }
 }
 
+void FrameSet::nearest(const MediumRayPacket& rays, HitPacket& hits) const {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (rays.active[lane] == 0) continue;
+    hits.frame[lane] = -1;
+    hits.s[lane] = std::numeric_limits<double>::infinity();
+  }
+  for (int i = 0; i < static_cast<int>(frames_.size()); ++i) {
+    frames_[static_cast<std::size_t>(i)].intersect(rays, i, hits);
+  }
+}
+
+void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
+                            Lanes<std::int32_t>& blocked) const {
+  blocked.fill(0);
+  for (const RestFrame& frame : frames_) frame.find_blocked(rays, s_max, blocked);
+}
+
 }  // namespace restframe

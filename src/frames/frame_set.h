@@ -19,6 +19,14 @@ class FrameSet {
   // double.
   void nearest(const RayPacket& rays, HitPacket& hits) const;
 
+  // Likewise for the active lanes of `rays`; other lanes of `hits` stay. rest_k_t of a hit is the
+  // step's time part there.
+  void nearest(const MediumRayPacket& rays, HitPacket& hits) const;
+
+  // Sets the lanes of `blocked` (-1) whose ray meets anything before `s_max`.
+  void find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
+                    Lanes<std::int32_t>& blocked) const;
+
   // Gives one hit its s in double: for whatever depends on where or when exactly it is.
   void refine(HitPacket& hits, int lane) const { frame(hits.frame[lane]).refine(hits, lane); }
 

@@ -90,6 +90,16 @@ struct RayPacket {
   Lanes<std::int32_t> active;  // Embree's convention: -1 active, 0 not
 };
 
+// Light within a medium, traced back in time: points are origin + s step. In the medium's rest
+// frame, step is (-n omega, omega direction) with its index n and the light's frequency omega there
+// (design, section 2, point 3): it is timelike, and tells no frequency.
+struct MediumRayPacket {
+  EventLanes<in::World> origin;
+  EventLanes<in::World> step;
+  Lanes<double> s_min;
+  Lanes<std::int32_t> active;
+};
+
 inline constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
 
 // The nearest hit of each lane, and the ray in the traversal coordinates of the rest frame that was

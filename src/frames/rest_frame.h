@@ -35,6 +35,9 @@ struct FramePart {
   std::span<const Triangle> triangles;
 };
 
+// A packet in the traversal coordinates of one rest frame.
+struct LocalRays;
+
 class RestFrame {
  public:
   // objects: indices into scene.objects, all of one velocity. meshes: one a mesh of the scene; the
@@ -46,12 +49,26 @@ class RestFrame {
   // Replaces the lanes of `hits` that this frame is nearer to.
   void intersect(const RayPacket& rays, int own_index, HitPacket& hits) const;
 
+  void intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const;
+
+  // Sets the lanes of `blocked` (-1) whose ray meets this frame's objects before `s_max`.
+  void find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
+                    Lanes<std::int32_t>& blocked) const;
+
   // Where, along the ray of a hit, the next search begins when the surface lets it pass: behind the
   // hit by more than floats can tell apart here.
   double s_behind(const HitPacket& hits, int lane) const;
 
   // Gives a hit of this frame its s in double, from the triangle's corners.
   void refine(HitPacket& hits, int lane) const;
+
+  // The event of a refined hit.
+  Event<in::World> hit_event(const HitPacket& hits, int lane) const;
+
+  // From which s on a ray that leaves a refined hit is clear of the surface. event: the hit's. x: the
+  // spatial part of the ray's wave vector or step, rest-frame axes.
+  double s_clear(const HitPacket& hits, int lane, const Event<in::World>& event,
+                 const Vec3& x) const;
 
   const FramePart& part(std::uint32_t index) const { return parts_[index]; }
   std::span<const FramePart> parts() const { return parts_; }
@@ -74,6 +91,12 @@ class RestFrame {
   void build_many(const EmbreeDevice& device, std::span<const TraversableMesh> meshes,
                   std::span<const int> uses_of_mesh);
   void set_traversal(const Mat4& rest_from_traversal);
+  void set_origins(const EventLanes<in::World>& origin, LocalRays& local) const;
+  LocalRays localised(const RayPacket& rays) const;
+  LocalRays localised(const MediumRayPacket& rays) const;
+  void find_hits(LocalRays& local, int own_index, HitPacket& hits) const;
+  unsigned context_flags(const LocalRays& local) const;
+  double clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const;
 
   AnchoredFrame<in::Rest> coordinates_;
   std::vector<FramePart> parts_;

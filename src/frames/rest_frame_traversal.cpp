@@ -7,19 +7,20 @@
 #include "frames/rest_frame.h"
 
 namespace restframe {
-namespace {
 
-// A packet in the traversal coordinates of one rest frame.
 struct LocalRays {
   Lanes<double> rest_t;
   Lanes<double> rest_k_t;
   Vec3fLanes sight;
   Vec3Lanes origin, k;
   Lanes<double> s_enter, s_leave;  // where the ray is within the frame's bounds
-  Lanes<double> inverse_omega;     // one over the light's frequency here
-  Lanes<double> s_of_unit;         // s for one unit of Embree's ray parameter
+  // The length of k in rest-frame axes: the light's frequency here, outside of media.
+  Lanes<double> omega, inverse_omega;
+  Lanes<double> s_of_unit;  // s for one unit of Embree's ray parameter
   Lanes<std::int32_t> active;
 };
+
+namespace {
 
 // Narrows [s_enter, s_leave] to a slab of the bounds. k = 0 gives infinities of the right sign, or
 // NaN for a ray in the slab's face, which std::min and std::max in this order leave without effect.
@@ -32,12 +33,12 @@ inline void clip(double origin, double k, double lower, double upper, double& en
   leave = std::min(leave, std::max(a, b));
 }
 
-void clip_to_bounds(const Bounds& bounds, const RayPacket& rays, const HitPacket& hits,
-                    LocalRays& local) {
+void clip_to_bounds(const Bounds& bounds, const Lanes<double>& s_min, const Lanes<double>& s_max,
+                    const Lanes<std::int32_t>& active, LocalRays& local) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    double enter = rays.s_min[i];
-    double leave = hits.s[i];
+    double enter = s_min[i];
+    double leave = s_max[i];
     clip(local.origin.x[i], local.k.x[i], bounds.lower.x, bounds.upper.x, enter, leave);
     clip(local.origin.y[i], local.k.y[i], bounds.lower.y, bounds.upper.y, enter, leave);
     clip(local.origin.z[i], local.k.z[i], bounds.lower.z, bounds.upper.z, enter, leave);
@@ -45,7 +46,7 @@ void clip_to_bounds(const Bounds& bounds, const RayPacket& rays, const HitPacket
     local.s_leave[i] = leave;
     // False for a ray with a NaN anywhere, which must not reach Embree: it would end the process.
     const bool within = enter <= leave && std::abs(local.rest_t[i]) < 1e300;
-    local.active[i] = within ? rays.active[i] : 0;
+    local.active[i] = within ? active[i] : 0;
   }
 }
 
@@ -60,7 +61,7 @@ bool any_active(const Lanes<std::int32_t>& active) {
 // direction is scaled to unit frequency and by the frame's `scale`: high velocities, and meshes placed in
 // small, make k longer than floats and Embree's asserts bear. A ray that is not in their range after that is
 // dropped.
-void narrow(double scale, LocalRays& local, RTCRayHit16& query) {
+void narrow(double scale, LocalRays& local, RTCRay16& ray) {
   constexpr double largest = 1e18;
   const double inverse_scale = 1.0 / scale;
 #pragma GCC ivdep
@@ -74,20 +75,18 @@ void narrow(double scale, LocalRays& local, RTCRayHit16& query) {
                       unit > 0.0 && unit < 1e300;
     local.s_of_unit[i] = unit;
     local.active[i] = fits ? local.active[i] : 0;
-    query.ray.org_x[i] = static_cast<float>(x);
-    query.ray.org_y[i] = static_cast<float>(y);
-    query.ray.org_z[i] = static_cast<float>(z);
-    query.ray.dir_x[i] = static_cast<float>(local.k.x[i] * unit);
-    query.ray.dir_y[i] = static_cast<float>(local.k.y[i] * unit);
-    query.ray.dir_z[i] = static_cast<float>(local.k.z[i] * unit);
-    query.ray.tnear[i] = 0.0F;
-    query.ray.tfar[i] = static_cast<float>((local.s_leave[i] - s) * (-local.rest_k_t[i] * scale));
-    query.ray.time[i] = 0.0F;
-    query.ray.mask[i] = ~0U;
-    query.ray.id[i] = 0U;
-    query.ray.flags[i] = 0U;
-    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    ray.org_x[i] = static_cast<float>(x);
+    ray.org_y[i] = static_cast<float>(y);
+    ray.org_z[i] = static_cast<float>(z);
+    ray.dir_x[i] = static_cast<float>(local.k.x[i] * unit);
+    ray.dir_y[i] = static_cast<float>(local.k.y[i] * unit);
+    ray.dir_z[i] = static_cast<float>(local.k.z[i] * unit);
+    ray.tnear[i] = 0.0F;
+    ray.tfar[i] = static_cast<float>((local.s_leave[i] - s) * (local.omega[i] * scale));
+    ray.time[i] = 0.0F;
+    ray.mask[i] = ~0U;
+    ray.id[i] = 0U;
+    ray.flags[i] = 0U;
   }
 }
 
@@ -149,37 +148,101 @@ void turn_to_traversal(const Mat3& linear, LocalRays& local) {
 
 }  // namespace
 
-void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
-  LocalRays local;
+void RestFrame::set_origins(const EventLanes<in::World>& origin, LocalRays& local) const {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const Displacement<in::Rest> from_anchor =
-        coordinates_.from_world(rays.origin.at(i) - coordinates_.anchor);
+        coordinates_.from_world(origin.at(i) - coordinates_.anchor);
     local.rest_t[i] = from_anchor.t;
     local.origin.set(i, from_anchor.x - rest_from_traversal_offset_);
   }
+}
+
+LocalRays RestFrame::localised(const RayPacket& rays) const {
+  LocalRays local;
+  set_origins(rays.origin, local);
   WaveVectorLanes<in::Rest> rest_k;
   transform(coordinates_.from_world, rays.k, rest_k);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const double inverse_omega = -1.0 / rest_k.t[i];
     local.rest_k_t[i] = rest_k.t[i];
+    local.omega[i] = -rest_k.t[i];
     local.inverse_omega[i] = inverse_omega;
     local.k.set(i, rest_k.x.at(i));
     local.sight.set(i, Vec3f(rest_k.x.at(i) * inverse_omega));
   }
   if (traversal_is_turned_) turn_to_traversal(traversal_from_rest_linear_, local);
-  clip_to_bounds(bounds_, rays, hits, local);
-  if (!any_active(local.active)) return;
+  return local;
+}
 
+LocalRays RestFrame::localised(const MediumRayPacket& rays) const {
+  LocalRays local;
+  set_origins(rays.origin, local);
+  for (int i = 0; i < packet_size; ++i) {
+    const Displacement<in::Rest> step =
+        coordinates_.from_world(Displacement<in::World>{rays.step.t[i], rays.step.x.at(i)});
+    const double length = glm::length(step.x);
+    local.rest_k_t[i] = step.t;
+    local.omega[i] = length;
+    local.inverse_omega[i] = 1.0 / length;
+    local.k.set(i, step.x);
+    local.sight.set(i, Vec3f(step.x / length));
+  }
+  if (traversal_is_turned_) turn_to_traversal(traversal_from_rest_linear_, local);
+  return local;
+}
+
+unsigned RestFrame::context_flags(const LocalRays& local) const {
+  return octants_hold_ && share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+}
+
+void RestFrame::find_hits(LocalRays& local, int own_index, HitPacket& hits) const {
   RTCRayHit16 query;
+  narrow(traversal_scale_, local, query.ray);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local));
+  rtcIntersect16(&local.active[0], traversed_, &context, &query);
+  keep_hits(local, query, own_index, hits);
+}
+
+void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
+  LocalRays local = localised(rays);
+  clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
+  if (any_active(local.active)) find_hits(local, own_index, hits);
+}
+
+void RestFrame::intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const {
+  LocalRays local = localised(rays);
+  clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
+  if (any_active(local.active)) find_hits(local, own_index, hits);
+}
+
+void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
+                             Lanes<std::int32_t>& blocked) const {
+  LocalRays local = localised(rays);
+  Lanes<std::int32_t> open;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) open[i] = blocked[i] == 0 ? rays.active[i] : 0;
+  clip_to_bounds(bounds_, rays.s_min, s_max, open, local);
+  if (!any_active(local.active)) return;
+  RTCRay16 query;
   narrow(traversal_scale_, local, query);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = octants_hold_ && share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                                          : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  rtcIntersect16(&local.active[0], traversed_, &context, &query);
-  keep_hits(local, query, own_index, hits);
+  context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local));
+  rtcOccluded16(&local.active[0], traversed_, &context, &query);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    blocked[i] = local.active[i] != 0 && query.tfar[i] < 0.0F ? -1 : blocked[i];
+  }
 }
 
 void RestFrame::refine(HitPacket& hits, int lane) const {
@@ -215,17 +278,38 @@ void RestFrame::refine(HitPacket& hits, int lane) const {
   hits.s[lane] = s_near + glm::dot(point - origin, k) / glm::dot(k, k);
 }
 
-// The origin that the next search begins with is rounded by a few ulps across the surface; along a
-// ray that grazes it that is further.
-double RestFrame::s_behind(const HitPacket& hits, int lane) const {
+// In s: an origin on the surface is rounded by a few ulps across it; along a ray that grazes it that
+// is further.
+double RestFrame::clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const {
   constexpr double float_noise = 8.0 * 0x1p-24;
   constexpr double least_cosine = 1e-3;
-  const Vec3 k = hits.k.at(lane);
-  const Vec3 point = hits.origin.at(lane) + hits.s[lane] * k;
+  const Vec3 point = hits.origin.at(lane) + hits.s[lane] * hits.k.at(lane);
   const double size = glm::length(point) + glm::length(bounds_.center());
   const Vec3 facet(parts_[hits.part[lane]].rest_from_facet_normal * hits.facet_normal.at(lane));
-  const double cosine = std::abs(glm::dot(Vec3(hits.sight.at(lane)), facet)) / glm::length(facet);
-  return hits.s[lane] + float_noise * size / (glm::length(k) * std::max(least_cosine, cosine));
+  const Vec3 rest_k = rest_from_traversal_linear_ * traversal_k;
+  const double cosine =
+      std::abs(glm::dot(rest_k, facet)) / (glm::length(facet) * glm::length(rest_k));
+  return float_noise * size / (glm::length(traversal_k) * std::max(least_cosine, cosine));
+}
+
+double RestFrame::s_behind(const HitPacket& hits, int lane) const {
+  return hits.s[lane] + clearance(hits, lane, hits.k.at(lane));
+}
+
+Event<in::World> RestFrame::hit_event(const HitPacket& hits, int lane) const {
+  const Vec3 point = hits.origin.at(lane) + hits.s[lane] * hits.k.at(lane);
+  return coordinates_.to_world(
+      {hits.rest_t[lane] + hits.s[lane] * hits.rest_k_t[lane], rest_position(point)});
+}
+
+double RestFrame::s_clear(const HitPacket& hits, int lane, const Event<in::World>& event,
+                          const Vec3& x) const {
+  // What doubles lose on the way to the world and back.
+  const Displacement<in::World> from_anchor = event - coordinates_.anchor;
+  const double reach = std::abs(event.t) + glm::length(event.x) +
+                       coordinates_.from_world.velocity().gamma() *
+                           (std::abs(from_anchor.t) + glm::length(from_anchor.x));
+  return clearance(hits, lane, traversal_from_rest_linear_ * x) + 0x1p-50 * reach / glm::length(x);
 }
 
 }  // namespace restframe

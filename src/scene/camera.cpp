@@ -78,11 +78,6 @@ WaveVector<in::World> sight_of(const View& view, const Event<in::World>& observe
 
 }  // namespace
 
-bool is_steady(const Camera& camera) {
-  return std::holds_alternative<Worldline>(camera.motion) &&
-         std::holds_alternative<AimDirection>(camera.aim) && camera.view_keys.empty();
-}
-
 CameraPose pose_at(const Camera& camera, double proper_time) {
   const CameraState state = state_at(camera.motion, proper_time);
   const View view = view_at(camera, proper_time);
@@ -101,6 +96,14 @@ CameraPose pose_at(const Camera& camera, double proper_time) {
   pose.axes = axes_looking(sight_direction(camera_from_world(sight)),
                            aberrated(camera_from_world, glm::normalize(camera.up)));
   return pose;
+}
+
+bool is_steady(const Camera& camera) {
+  const auto* uniform = std::get_if<Worldline>(&camera.motion);
+  if (!uniform || !camera.view_keys.empty()) return false;
+  if (std::holds_alternative<AimDirection>(camera.aim)) return true;
+  const bool rests = uniform->velocity == Velocity();
+  return rests && std::holds_alternative<AimPoint>(camera.aim);
 }
 
 Projection::Projection(const CameraPose& pose, double vertical_fov, int width, int height) {

@@ -55,12 +55,12 @@ struct CameraPose {
   double vertical_fov = 1;  // radians
 };
 
-// Whether velocity, axes and field of view are the same at all times, so that only the event moves.
-bool is_steady(const Camera& camera);
-
 // Exact for any time. Throws InputError where the aim leaves the orientation open: the camera is at its look_at point,
 // or it looks along `up`.
 CameraPose pose_at(const Camera& camera, double proper_time);
+
+// Whether velocity, axes and field of view are the same at all times: only the event moves.
+bool is_steady(const Camera& camera);
 
 // From film to rays. Film coordinates are pixels: x to the right from the left edge, y down from
 // the top.

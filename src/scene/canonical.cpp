@@ -76,12 +76,20 @@ std::string text_of(const TemporalFunction& function) {
   return text;
 }
 
+void add_number(Listing& list, const std::string& key, const TemporalNumber& n) {
+  list.add(key, fmt::format("{} function {}", n.value, n.function));
+}
+
+void add_color(Listing& list, const std::string& key, const TemporalColor& c) {
+  list.add(key, fmt::format("{} function {}", text_of(c.value), c.function));
+}
+
 void add_material(Listing& list, const Material& m, const std::string& key) {
   const auto number = [&](const char* name, const TemporalNumber& n) {
-    list.add(key + name, fmt::format("{} function {}", n.value, n.function));
+    add_number(list, key + name, n);
   };
   const auto color = [&](const char* name, const TemporalColor& c) {
-    list.add(key + name, fmt::format("{} function {}", text_of(c.value), c.function));
+    add_color(list, key + name, c);
   };
   list.add(key + ".name", m.name);
   color(".base_color", m.base_color);
@@ -90,6 +98,10 @@ void add_material(Listing& list, const Material& m, const std::string& key) {
   number(".roughness", m.roughness);
   color(".emission", m.emission);
   number(".emission_strength", m.emission_strength);
+  number(".ior", m.ior);
+  number(".transmission", m.transmission);
+  color(".attenuation_color", m.attenuation_color);
+  number(".attenuation_distance", m.attenuation_distance);
   std::string textures;
   for (const TextureUse& use :
        {m.base_color_texture, m.emission_texture, m.metallic_roughness_texture}) {
@@ -115,6 +127,34 @@ void add_object(Listing& list, const Object& object, const std::string& key) {
   list.add(key + ".materials", materials);
 }
 
+// Its name is in no picture; its group names a layer.
+void add_light(Listing& list, const Light& light, const std::string& key) {
+  list.add(key + ".kind", static_cast<int>(light.kind));
+  list.add(key + ".group", light.group);
+  add_worldline(list, key, light.worldline);
+  list.add(key + ".clock", light.frame_clock ? "frame" : fmt::format("{:.17g}", light.clock));
+  list.add(key + ".direction", light.direction);
+  list.add(key + ".cone", fmt::format("{:.17g} {:.17g}", light.inner_cone, light.outer_cone));
+  if (light.sweep) {
+    list.add(key + ".sweep.axis", light.sweep->axis);
+    list.add(key + ".sweep.period", light.sweep->period);
+  }
+  add_color(list, key + ".color", light.color);
+  add_number(list, key + ".intensity", light.intensity);
+}
+
+void add_exposure(Listing& list, const ExposureSettings& exposure) {
+  list.add("exposure.shutter", exposure.shutter);
+  std::string opening = fmt::format("{}", static_cast<int>(exposure.shape));
+  for (const auto& [x, openness] : exposure.curve) {
+    opening += fmt::format("; {:.17g} {:.17g}", x, openness);
+  }
+  list.add("exposure.opening", opening);
+  list.add("exposure.count", exposure.count);
+  list.add("exposure.interval", exposure.interval);
+  list.add("exposure.combine", static_cast<int>(exposure.combine));
+}
+
 }  // namespace
 
 std::string canonical_settings(const Scene& scene) {
@@ -123,8 +163,11 @@ std::string canonical_settings(const Scene& scene) {
   add_camera(list, scene.camera);
   list.add("animation.rate", scene.animation.rate);
   list.add("animation.start", scene.animation.start);
+  add_exposure(list, scene.exposure);
   list.add("render.resolution", fmt::format("{} {}", scene.render.width, scene.render.height));
   list.add("render.samples", scene.render.samples);
+  list.add("render.integrator", static_cast<int>(scene.render.integrator));
+  list.add("render.depth", scene.render.depth);
   list.add("render.beaming", scene.render.beaming ? "true" : "false");
   list.add("render.seed", fmt::format("{}", scene.render.seed));
   std::string layers;
@@ -135,6 +178,9 @@ std::string canonical_settings(const Scene& scene) {
   add_meshes(list, scene.meshes);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     add_object(list, scene.objects[i], fmt::format("object.{}", i));
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    add_light(list, scene.lights[i], fmt::format("light.{}", i));
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     add_material(list, scene.materials[i], fmt::format("material.{}", i));

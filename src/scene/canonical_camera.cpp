@@ -47,6 +47,9 @@ void add_worldline(Listing& list, const std::string& key, const Worldline& world
 void add_camera(Listing& list, const Camera& camera) {
   std::visit([&](const auto& motion) { add_motion(list, motion); }, camera.motion);
   list.add("camera.up", camera.up);
+  list.add("camera.aperture", camera.aperture);
+  list.add("camera.focus", camera.focus);
+  list.add("camera.rolling", camera.rolling);
   if (camera.view_keys.empty()) {
     add_aim(list, "camera", camera.aim);
     list.add("camera.fov", camera.vertical_fov);

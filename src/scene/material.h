@@ -38,4 +38,9 @@ struct Material {
   bool unlit = false;
 };
 
+// Light can be inside of what is made of it.
+inline bool can_transmit(const Material& material) {
+  return material.transmission.value > 0.0F || material.transmission.function != no_function;
+}
+
 }  // namespace restframe

@@ -32,6 +32,7 @@ void check_settings(const Scene& scene, Faults& faults) {
   check_count(scene.render.width, 1, 32'768, "render: width", faults);
   check_count(scene.render.height, 1, 32'768, "render: height", faults);
   check_count(scene.render.samples, 1, 65'536, "render: samples", faults);
+  check_count(scene.render.depth, 1, 64, "render: depth", faults);
   const auto fault = output_pattern_fault(scene.output.path, scene.animation.pictures);
   if (fault) faults.push_back("output: " + *fault);
   const std::set<Layer> layers(scene.output.layers.begin(), scene.output.layers.end());
@@ -95,6 +96,16 @@ void check_objects(const Scene& scene, Faults& faults) {
   }
 }
 
+void check_lights(const Scene& scene, Faults& faults) {
+  std::set<std::string> names;
+  for (const Light& light : scene.lights) {
+    const std::string name = fmt::format("light \"{}\"", light.name);
+    if (!names.insert(light.name).second) faults.push_back("two lights are " + name);
+    validate_worldline(light.worldline, name, faults);
+    validate_light(scene, light, name, faults);
+  }
+}
+
 }  // namespace
 
 double clock_at_reference(const Object& object) {
@@ -122,8 +133,11 @@ Worldline at_rest_on(const Object& object, const Vec3& offset) {
 std::vector<std::string> validate(const Scene& scene) {
   Faults faults;
   check_settings(scene, faults);
+  validate_exposure(scene.exposure, faults);
   if (scene.camera_given) validate_camera(scene.camera, faults);
+  if (scene.camera_given) validate_lens(scene.camera, faults);
   check_objects(scene, faults);
+  check_lights(scene, faults);
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);
   validate_materials(scene, faults);
   validate_textures(scene, faults);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,15 @@ struct AnimationSettings {
 // How open a shutter is over the time that it takes.
 enum class ShutterShape : std::uint8_t { box, triangle, curve };
 
+// (Fraction of the shutter's time, openness >= 0), piecewise linear; closed before the first and
+// after the last. Fractions from 0 to 1 in order (two may be equal: a jump), open at some time.
+using ShutterCurve = std::vector<std::pair<double, double>>;
+
+// Why `curve` breaks these rules, or nothing.
+std::optional<std::string> shutter_curve_fault(const ShutterCurve& curve);
+
+inline constexpr int most_exposures = 65'536;  // of one picture
+
 // How the exposures of one picture go together.
 enum class Combine : std::uint8_t { sum, mean, max };
 
@@ -24,9 +34,7 @@ enum class Combine : std::uint8_t { sum, mean, max };
 struct ExposureSettings {
   double shutter = 0;  // 0: an instant
   ShutterShape shape = ShutterShape::box;
-  // Of the shape `curve`: (fraction of the shutter's time, openness >= 0), piecewise linear,
-  // fractions from 0 to 1 in order, not zero everywhere.
-  std::vector<std::pair<double, double>> curve;
+  ShutterCurve curve;  // of the shape `curve`
   int count = 1;
   double interval = 0.5;
   Combine combine = Combine::sum;  // alpha: 1 - product of (1 - alpha)

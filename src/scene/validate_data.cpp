@@ -41,22 +41,11 @@ void check_function(const Scene& scene, FunctionIndex function, const std::strin
                                scene.functions.size()));
 }
 
-void check_number(const Scene& scene, const TemporalNumber& number, const std::string& what,
-                  Faults& faults) {
-  check_function(scene, number.function, what, faults);
-  if (!(number.value >= 0 && std::isfinite(number.value))) {
-    faults.push_back(fmt::format("{} is {}, must be at least 0 and finite", what, number.value));
+std::string text_of(const Allowed& allowed) {
+  if (allowed.high < std::numeric_limits<float>::max()) {
+    return fmt::format("from {} to {}", allowed.low, allowed.high);
   }
-}
-
-void check_color(const Scene& scene, const TemporalColor& color, const std::string& what,
-                 Faults& faults) {
-  check_function(scene, color.function, what, faults);
-  const Vec3f& v = color.value;
-  const auto good = [](float x) { return x >= 0 && std::isfinite(x); };
-  if (good(v.x) && good(v.y) && good(v.z)) return;
-  faults.push_back(
-      fmt::format("{} is [{}, {}, {}], must be at least 0 and finite", what, v.x, v.y, v.z));
+  return fmt::format("at least {} and finite", allowed.low);
 }
 
 void check_texture(const Scene& scene, const TextureUse& use, const std::string& what,
@@ -71,6 +60,23 @@ void check_texture(const Scene& scene, const TextureUse& use, const std::string&
 }
 
 }  // namespace
+
+void validate_number(const Scene& scene, const TemporalNumber& number, const std::string& what,
+                     Faults& faults, const Allowed& allowed) {
+  check_function(scene, number.function, what, faults);
+  if (number.value >= allowed.low && number.value <= allowed.high) return;
+  faults.push_back(fmt::format("{} is {}, must be {}", what, number.value, text_of(allowed)));
+}
+
+void validate_color(const Scene& scene, const TemporalColor& color, const std::string& what,
+                    Faults& faults, const Allowed& allowed) {
+  check_function(scene, color.function, what, faults);
+  const Vec3f& v = color.value;
+  const auto good = [&](float x) { return x >= allowed.low && x <= allowed.high; };
+  if (good(v.x) && good(v.y) && good(v.z)) return;
+  faults.push_back(
+      fmt::format("{} is [{}, {}, {}], must be {}", what, v.x, v.y, v.z, text_of(allowed)));
+}
 
 void validate_mesh(const Mesh& mesh, Faults& faults) {
   const std::string name = fmt::format("mesh \"{}\"", mesh.name);
@@ -97,12 +103,16 @@ void validate_mesh(const Mesh& mesh, Faults& faults) {
 void validate_materials(const Scene& scene, Faults& faults) {
   for (const Material& material : scene.materials) {
     const std::string name = fmt::format("material \"{}\": ", material.name);
-    check_color(scene, material.base_color, name + "base_color", faults);
-    check_color(scene, material.emission, name + "emission", faults);
-    check_number(scene, material.opacity, name + "opacity", faults);
-    check_number(scene, material.metallic, name + "metallic", faults);
-    check_number(scene, material.roughness, name + "roughness", faults);
-    check_number(scene, material.emission_strength, name + "emission_strength", faults);
+    validate_color(scene, material.base_color, name + "base_color", faults);
+    validate_color(scene, material.emission, name + "emission", faults);
+    validate_number(scene, material.opacity, name + "opacity", faults);
+    validate_number(scene, material.metallic, name + "metallic", faults);
+    validate_number(scene, material.roughness, name + "roughness", faults);
+    validate_number(scene, material.emission_strength, name + "emission_strength", faults);
+    validate_number(scene, material.ior, name + "ior", faults, {1, Allowed().high});
+    validate_number(scene, material.transmission, name + "transmission", faults, {0, 1});
+    validate_color(scene, material.attenuation_color, name + "attenuation_color", faults, {0, 1});
+    validate_number(scene, material.attenuation_distance, name + "attenuation_distance", faults);
     check_texture(scene, material.base_color_texture, name + "base_color", faults);
     check_texture(scene, material.metallic_roughness_texture, name + "roughness", faults);
     check_texture(scene, material.emission_texture, name + "emission", faults);

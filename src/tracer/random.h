@@ -16,7 +16,15 @@ struct PacketId {
 };
 
 // What a number is drawn for; keeps uses independent of each other.
-enum class Dimension : std::uint32_t { opacity };
+enum class Dimension : std::uint32_t {
+  opacity,
+  time,
+  lens,
+  lobe,
+  direction_u,
+  direction_v,
+  survival
+};
 
 // Steele and others' SplitMix64 finaliser: every input bit reaches every output bit.
 inline std::uint64_t mixed(std::uint64_t x) {

@@ -57,7 +57,7 @@ template <class EachPicture>
 void render_all(benchmark::State& state, const EachPicture& each_picture) {
   const Scene scene = animation_scene();
   const FrameSet frames(scene, thread_count());
-  const Preview integrator(scene, frames);
+  const Integrator integrator = make_integrator(scene, frames);
   EvaluatorPool evaluators(scene.functions);
   const RenderContext context{scene, integrator, evaluators, {}};
   Picture buffers[2] = {blank_picture(scene), blank_picture(scene)};

@@ -9,7 +9,7 @@ namespace restframe {
 // The first picture of a scene that need not come from a file.
 inline Picture first_picture(const Scene& scene) {
   const FrameSet frames(scene, thread_count());
-  const Preview integrator(scene, frames);
+  const Integrator integrator = make_integrator(scene, frames);
   EvaluatorPool evaluators(scene.functions);
   Picture picture = blank_picture(scene);
   render_picture({scene, integrator, evaluators, {}}, 0, picture);

@@ -1,0 +1,172 @@
+// [[light]]: what shines, with a velocity and a clock of its own or those of an object.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "importers/material_change.h"
+#include "importers/scene_file_motion.h"
+
+namespace restframe {
+namespace {
+
+// In the order of the enumeration LightKind.
+const std::vector<std::string> type_names = {"point", "spot", "sun", "environment"};
+
+bool is_one_of(LightKind kind, std::initializer_list<LightKind> kinds) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+bool is_directed(LightKind kind) {
+  return is_one_of(kind, {LightKind::spot, LightKind::sun});
+}
+
+// Keys that other types of light have.
+void refuse_keys_of_others(TableReader& table, LightKind kind) {
+  const auto refuse = [&](const char* key, bool allowed, const char* types) {
+    if (allowed || !table.has(key)) return;
+    table.report(table.key_place(key),
+                 fmt::format("{} goes with {}, not with type = \"{}\"", key, types,
+                             type_names[static_cast<std::size_t>(kind)]));
+  };
+  const bool is_environment = kind == LightKind::environment;
+  refuse("position", !is_environment, "a point, spot or sun");
+  refuse("direction", is_directed(kind), "a spot or sun");
+  refuse("cone", kind == LightKind::spot, "a spot");
+  refuse("sweep", is_directed(kind), "a spot or sun");
+}
+
+void read_cone(TableReader& table, Light& light) {
+  const ConfigValue* value = table.find("cone");
+  if (!value) return;
+  const auto* array = std::get_if<ConfigArray>(&value->data);
+  if (!array || array->size() != 2) {
+    table.report(value->at, "cone must be [inner, outer], half-angles in degrees");
+    return;
+  }
+  const Range inner_range = from_to(0, 90), outer_range{0, 90, true, false};
+  const auto inner = read_number((*array)[0], "the inner angle", inner_range, table.report);
+  const auto outer = read_number((*array)[1], "the outer angle", outer_range, table.report);
+  if (!inner || !outer) return;
+  if (*inner > *outer) {
+    table.report(value->at, fmt::format("cone is [{}, {}], the inner angle must be at most the "
+                                        "outer one",
+                                        *inner, *outer));
+  }
+  light.inner_cone = glm::radians(*inner);
+  light.outer_cone = glm::radians(*outer);
+}
+
+void read_sweep(TableReader& light_table, SceneFile& file, Light& light) {
+  const ConfigTable* table = light_table.table("sweep");
+  if (!table) return;
+  TableReader reader(*table, {file.faults, light_table.report.name + ": sweep"});
+  Sweep sweep;
+  sweep.axis = read_direction(reader, "axis").value_or(sweep.axis);
+  if (!reader.has("period")) reader.report(table->at, "period is missing");
+  sweep.period = reader.number("period", above(0)).value_or(1);
+  reader.finish();
+  light.sweep = sweep;
+}
+
+// Layers will be called light_GROUP.
+void read_group(TableReader& table, Light& light) {
+  const auto group = table.text("group");
+  if (!group) return;
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  };
+  if (!std::all_of(group->begin(), group->end(), is_plain)) {
+    table.report(table.place("group"),
+                 fmt::format("group is \"{}\", must be letters, digits, _ and - only", *group));
+  }
+  light.group = *group;
+}
+
+// At rest on an object: the axes are the object's as its `rotation` turns them.
+void ride(Light& light, const Vec3& position, const Object& object, const Mat3& rotation) {
+  light.worldline = at_rest_on(object, rotation * position, clock_at_reference(object));
+  light.clock = object.clock;
+  light.frame_clock = object.frame_clock;
+  light.direction = glm::normalize(rotation * light.direction);
+  if (light.sweep) light.sweep->axis = glm::normalize(rotation * light.sweep->axis);
+}
+
+void read_ride(TableReader& table, const SceneFile& file, Light& light) {
+  for (const char* key : {"time", "velocity", "gamma", "motion", "clock"}) {
+    if (!table.has(key)) continue;
+    table.report(table.key_place(key),
+                 fmt::format("on and {} exclude each other: the light has the object's", key));
+  }
+  const Vec3 position = table.vector("position").value_or(Vec3(0)) / file.scene.light_speed;
+  const std::optional<int> index = read_object_name(table, "on", file);
+  if (!index) return;
+  const auto object = static_cast<std::size_t>(*index);
+  ride(light, position, file.scene.objects[object], file.object_rotations[object]);
+}
+
+void read_place(TableReader& table, const SceneFile& file, Light& light) {
+  if (table.has("on")) return read_ride(table, file, light);
+  const ClockedWorldline own = read_clocked_worldline(table, "motion", file.scene.light_speed);
+  light.worldline = own.worldline;
+  light.clock = own.clock;
+  light.frame_clock = own.frame_clock;
+}
+
+// An intensity over time is none in its gaps: the light is off.
+void read_emission(TableReader& table, SceneFile& file, Light& light) {
+  const auto color = read_property(table, "color", {true, at_least(0)}, file);
+  const auto intensity = read_property(table, "intensity", {false, at_least(0)}, file);
+  set(color, light.color);
+  set(intensity, light.intensity);
+  if (light.intensity.function != no_function) light.intensity.value = 0;
+}
+
+std::string read_light_name(TableReader& table, const SceneFile& file) {
+  const std::vector<Light>& lights = file.scene.lights;
+  std::string name = table.text("name").value_or(table.report.name);
+  const auto has_name = [&](const Light& light) { return light.name == name; };
+  if (std::any_of(lights.begin(), lights.end(), has_name)) {
+    table.report.faults.add(table.place("name"),
+                            fmt::format("two lights have the name \"{}\"", name));
+  }
+  return name;
+}
+
+void read_light(const ConfigTable& table, SceneFile& file) {
+  TableReader unnamed(table, {file.faults, fmt::format("light_{}", file.scene.lights.size() + 1)});
+  Light light;
+  light.name = read_light_name(unnamed, file);
+  TableReader reader(table, {file.faults, fmt::format("light \"{}\"", light.name)});
+  reader.find("name");
+  const std::optional<std::size_t> type = reader.choice("type", type_names);
+  if (!reader.has("type")) {
+    reader.report(table.at,
+                  fmt::format("type is missing, must be one of {}", fmt::join(type_names, ", ")));
+  }
+  if (type) {
+    light.kind = static_cast<LightKind>(*type);
+    refuse_keys_of_others(reader, light.kind);
+  }
+  light.direction = read_direction(reader, "direction").value_or(light.direction);
+  read_cone(reader, light);
+  read_sweep(reader, file, light);
+  read_place(reader, file, light);
+  read_emission(reader, file, light);
+  read_group(reader, light);
+  reader.not_supported({"temperature", "file", "rotation"});
+  reader.finish();
+  file.scene.lights.push_back(std::move(light));
+}
+
+}  // namespace
+
+void read_lights(TableReader& root, SceneFile& file) {
+  for (const ConfigTable* table : root.tables("light")) read_light(*table, file);
+  if (file.scene.lights.empty() || file.scene.render.integrator == IntegratorKind::path) return;
+  file.warnings.push_back(file.faults.located(
+      root.place("light"), "lights are used by integrator = \"path\" only, see [render]"));
+}
+
+}  // namespace restframe

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "scene/settings.h"
+#include "tracer/sample.h"
+
+namespace restframe {
+
+// The exposures of one picture taken together, pixel by pixel, as they come.
+class ExposureTotal {
+ public:
+  explicit ExposureTotal(const ExposureSettings& settings)
+      : combine_(settings.combine), share_(1.0F / static_cast<float>(settings.count)) {}
+
+  // The next exposure: `scale` times what its samples add up to.
+  void add(const RadianceLanes& samples, float scale) {
+    for (int i = 0; i < packet_size; ++i) {
+      const Vec4f next = scale * samples[i];
+      total_[i] = is_first_ ? next : taken_together(total_[i], next);
+    }
+    is_first_ = false;
+  }
+
+  Vec4f pixel(int lane) const {
+    return combine_ == Combine::mean ? share_ * total_[lane] : total_[lane];
+  }
+
+ private:
+  Vec4f taken_together(const Vec4f& total, const Vec4f& next) const {
+    switch (combine_) {
+      case Combine::sum: {
+        // Light adds up; what covers, covers what is left: 1 - product of (1 - alpha).
+        Vec4f sum = total + next;
+        sum.w = total.w + (1.0F - total.w) * next.w;
+        return sum;
+      }
+      case Combine::mean:
+        return total + next;
+      case Combine::max:
+        break;
+    }
+    return glm::max(total, next);
+  }
+
+  Combine combine_;
+  float share_;
+  bool is_first_ = true;
+  RadianceLanes total_;
+};
+
+}  // namespace restframe

@@ -1,0 +1,163 @@
+#include "tracer/bsdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+namespace restframe {
+namespace {
+
+constexpr float pi = glm::pi<float>();
+
+float squared(float x) {
+  return x * x;
+}
+
+// Columns: two tangents and the normal (Duff and others 2017: no branch near the poles).
+glm::mat3 basis_around(const Vec3f& n) {
+  const float sign = std::copysign(1.0F, n.z);
+  const float a = -1.0F / (sign + n.z);
+  const float b = n.x * n.y * a;
+  return {Vec3f(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x),
+          Vec3f(b, sign + n.y * n.y * a, -n.y), n};
+}
+
+Vec3f cosine_distributed(const Vec3f& normal, float u, float v) {
+  const float radius = std::sqrt(u);
+  const float phi = 2.0F * pi * v;
+  const Vec3f local(radius * std::cos(phi), radius * std::sin(phi),
+                    std::sqrt(std::max(0.0F, 1.0F - u)));
+  return basis_around(normal) * local;
+}
+
+// Smith's lambda of GGX: hidden over visible microfacet area, seen at this cosine.
+float smith_lambda(float cosine, float alpha) {
+  const float c2 = cosine * cosine;
+  return 0.5F * (std::sqrt(1.0F + squared(alpha) * (1.0F - c2) / c2) - 1.0F);
+}
+
+// Of the microfacets visible from `view`, the part that is also visible along `direction`
+// (height-correlated Smith).
+float shadowing(const Bsdf& b, const Vec3f& direction) {
+  const float lambda_view = smith_lambda(std::max(1e-4F, glm::dot(b.normal, b.view)), b.alpha);
+  const float lambda =
+      smith_lambda(std::max(1e-4F, std::abs(glm::dot(b.normal, direction))), b.alpha);
+  return (1.0F + lambda_view) / (1.0F + lambda_view + lambda);
+}
+
+float ggx_density(float cosine, float alpha) {
+  const float d = 1.0F + squared(cosine) * (squared(alpha) - 1.0F);
+  return squared(alpha) / (pi * d * d);
+}
+
+// A microfacet's normal, distributed as those visible from `view` (Heitz 2018).
+Vec3f visible_microfacet(const Bsdf& b, float u, float v) {
+  if (b.alpha < smallest_alpha) return b.normal;
+  const glm::mat3 basis = basis_around(b.normal);
+  const Vec3f local = b.view * basis;
+  const Vec3f stretched = glm::normalize(Vec3f(b.alpha * local.x, b.alpha * local.y, local.z));
+  const float radius = std::sqrt(u);
+  const float phi = 2.0F * pi * v;
+  const float x = radius * std::cos(phi);
+  const float half = 0.5F * (1.0F + stretched.z);
+  // The disc's half beyond the horizon of `stretched` is squeezed to what is seen of it. Its second
+  // axis must be the one that lies in the plane of view and normal.
+  const Vec3f across = stretched.z < 0.9999F ? glm::normalize(glm::cross(Vec3f(0, 0, 1), stretched))
+                                             : Vec3f(1, 0, 0);
+  const Vec3f along = glm::cross(stretched, across);
+  const float y = glm::mix(std::sqrt(std::max(0.0F, 1.0F - x * x)), radius * std::sin(phi), half);
+  const float z = std::sqrt(std::max(0.0F, 1.0F - x * x - y * y));
+  const Vec3f n = x * across + y * along + z * stretched;
+  return basis * glm::normalize(Vec3f(b.alpha * n.x, b.alpha * n.y, std::max(1e-6F, n.z)));
+}
+
+Vec3f schlick(const Vec3f& normal_reflectance, float cos_theta) {
+  const float c = std::clamp(1.0F - cos_theta, 0.0F, 1.0F);
+  return normal_reflectance + (Vec3f(1) - normal_reflectance) * (c * c * c * c * c);
+}
+
+std::optional<Scattered> reflect_off(const Bsdf& b, const Vec3f& microfacet,
+                                     const Vec3f& reflectance) {
+  const Vec3f direction = 2.0F * glm::dot(b.view, microfacet) * microfacet - b.view;
+  if (glm::dot(direction, b.facet) <= 0.0F || glm::dot(direction, b.normal) <= 0.0F)
+    return std::nullopt;
+  const float visible = b.alpha < smallest_alpha ? 1.0F : shadowing(b, direction);
+  return Scattered{direction, reflectance * visible, false};
+}
+
+std::optional<Scattered> transmit(const Bsdf& b, const Vec3f& microfacet, const Vec3f& fraction) {
+  const auto direction = refracted(b.view, microfacet, b.eta);
+  if (!direction || glm::dot(*direction, b.facet) >= 0.0F || glm::dot(*direction, b.normal) >= 0.0F)
+    return std::nullopt;
+  const float visible = b.alpha < smallest_alpha ? 1.0F : shadowing(b, *direction);
+  return Scattered{*direction, fraction * visible, true};
+}
+
+// The fraction that the surface of a dielectric reflects, on the whole.
+float surface_reflectance(const Bsdf& b) {
+  return fresnel_dielectric(std::max(0.0F, glm::dot(b.view, b.normal)), b.eta);
+}
+
+}  // namespace
+
+float fresnel_dielectric(float cos_theta, float eta) {
+  const float sin2_beyond = (1.0F - squared(cos_theta)) / squared(eta);
+  if (sin2_beyond >= 1.0F) return 1.0F;
+  const float cos_beyond = std::sqrt(1.0F - sin2_beyond);
+  const float across = (cos_theta - eta * cos_beyond) / (cos_theta + eta * cos_beyond);
+  const float along = (eta * cos_theta - cos_beyond) / (eta * cos_theta + cos_beyond);
+  return 0.5F * (squared(across) + squared(along));
+}
+
+std::optional<Vec3f> refracted(const Vec3f& view, const Vec3f& normal, float eta) {
+  const float cos_theta = glm::dot(view, normal);
+  const float sin2_beyond = (1.0F - squared(cos_theta)) / squared(eta);
+  if (sin2_beyond >= 1.0F) return std::nullopt;
+  return (cos_theta / eta - std::sqrt(1.0F - sin2_beyond)) * normal - view / eta;
+}
+
+// Metal, or dielectric; of the latter: the surface's reflection, or what passes it. Each is chosen
+// as often as it matters, so weights stay near the colour.
+std::optional<Scattered> scatter(const Bsdf& b, float lobe, float u, float v) {
+  if (lobe < b.metallic) {
+    const Vec3f microfacet = visible_microfacet(b, u, v);
+    return reflect_off(b, microfacet, schlick(b.base, glm::dot(b.view, microfacet)));
+  }
+  const float rest = (lobe - b.metallic) / (1.0F - b.metallic);
+  const float reflectance = surface_reflectance(b);
+  if (rest < reflectance) {
+    const Vec3f microfacet = visible_microfacet(b, u, v);
+    const float here = fresnel_dielectric(std::max(0.0F, glm::dot(b.view, microfacet)), b.eta);
+    return reflect_off(b, microfacet, Vec3f(here / reflectance));
+  }
+  const float passing = (rest - reflectance) / (1.0F - reflectance);
+  if (passing < b.transmission) {
+    const Vec3f microfacet = visible_microfacet(b, u, v);
+    const float here = fresnel_dielectric(std::max(0.0F, glm::dot(b.view, microfacet)), b.eta);
+    return transmit(b, microfacet, b.base * ((1.0F - here) / (1.0F - reflectance)));
+  }
+  const Vec3f direction = cosine_distributed(b.normal, u, v);
+  if (glm::dot(direction, b.facet) <= 0.0F) return std::nullopt;
+  return Scattered{direction, b.base, false};
+}
+
+Vec3f scattered_fraction(const Bsdf& b, const Vec3f& direction) {
+  const float cos_light = glm::dot(b.normal, direction);
+  const float cos_view = glm::dot(b.normal, b.view);
+  if (cos_light <= 0.0F || cos_view <= 0.0F || glm::dot(b.facet, direction) <= 0.0F)
+    return Vec3f(0);
+  const float dielectric = 1.0F - b.metallic;
+  Vec3f sum = b.base * (dielectric * (1.0F - b.transmission) * (1.0F - surface_reflectance(b)) *
+                        cos_light / pi);
+  if (b.alpha < smallest_alpha) return sum;
+  const Vec3f microfacet = glm::normalize(b.view + direction);
+  const float cos_half = std::max(0.0F, glm::dot(b.view, microfacet));
+  const float lambda_view = smith_lambda(std::max(1e-4F, cos_view), b.alpha);
+  const float facets = ggx_density(glm::dot(b.normal, microfacet), b.alpha) *
+                       shadowing(b, direction) / ((1.0F + lambda_view) * 4.0F * cos_view);
+  const Vec3f reflectance = b.metallic * schlick(b.base, cos_half) +
+                            Vec3f(dielectric * fresnel_dielectric(cos_half, b.eta));
+  return sum + reflectance * facets;
+}
+
+}  // namespace restframe

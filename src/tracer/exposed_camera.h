@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "frames/packet.h"
+#include "scene/scene.h"
+#include "tracer/camera_sampler.h"
+
+namespace restframe {
+
+// The camera during the exposures of one picture: from samples to rays.
+//
+// A ray begins at its own moment of the camera's time, on the lens at rest in the camera's frame:
+// all points of the lens at the same camera time are as many events in the world. It goes to where
+// the pinhole's ray through the same film point meets the plane that is sharp.
+class ExposedCamera {
+ public:
+  // opening: the camera's time at which the first exposure opens. Throws as pose_at.
+  ExposedCamera(const Scene& scene, const CameraSampler& sampler, double opening);
+
+  // Origins, wave vectors and s_min of the rays of one sample of an exposure. Throws as pose_at.
+  void rays(int exposure, const CameraSample& sample, RayPacket& rays) const;
+
+ private:
+  struct Moment {
+    double time;
+    CameraPose pose;
+    Projection projection;
+  };
+  Moment moment_at(double time) const;
+  void steady_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
+  void changing_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
+
+  const Scene& scene_;
+  bool is_pinhole_, is_instant_, is_steady_;
+  std::vector<Moment> openings_;  // of each exposure
+};
+
+}  // namespace restframe

@@ -1,0 +1,64 @@
+#include "tracer/path.h"
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+#include "tracer/path_walk.h"
+
+namespace restframe {
+namespace {
+
+constexpr std::uint64_t no_crossing = ~std::uint64_t{0};
+
+bool emits(const Material& m) {
+  const bool dark =
+      (m.emission.value == Vec3f(0) && m.emission.function == no_function) ||
+      (m.emission_strength.value == 0.0F && m.emission_strength.function == no_function);
+  return m.unlit || !dark;
+}
+
+}  // namespace
+
+Path::Path(const Scene& scene, const FrameSet& frames)
+    : stage_{scene, frames, object_places(scene, frames), {}, {}, false, false},
+      crossed_media_(no_crossing) {
+  for (const LightPlace& place : light_places(scene)) {
+    const bool surrounds = place.light->kind == LightKind::environment;
+    (surrounds ? stage_.environments : stage_.lights).push_back(place);
+  }
+  stage_.has_emitters = !stage_.environments.empty();
+  for (const Material& material : scene.materials) {
+    stage_.has_emitters = stage_.has_emitters || emits(material);
+    stage_.has_see_through = stage_.has_see_through || material.alpha_mode != AlphaMode::opaque;
+  }
+}
+
+void Path::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
+                 RadianceLanes& radiance, SurfaceDataLanes* data) const {
+  PathWalk walk(stage_, id, evaluator, rays, data);
+  walk.run();
+  walk.take_radiance(radiance);
+  note_crossing(walk.crossing());
+}
+
+void Path::note_crossing(const MediumCrossing& crossing) const {
+  if (crossing.medium < 0) return;
+  const std::uint64_t pair = (static_cast<std::uint64_t>(crossing.medium) << 32) |
+                             static_cast<std::uint64_t>(crossing.inside);
+  std::uint64_t known = crossed_media_.load();
+  while (pair < known && !crossed_media_.compare_exchange_weak(known, pair)) continue;
+}
+
+void Path::check_media() const {
+  const std::uint64_t pair = crossed_media_.load();
+  if (pair == no_crossing) return;
+  const auto name = [&](std::uint64_t object) {
+    return stage_.scene.objects[static_cast<std::size_t>(object)].name;
+  };
+  throw InputError(
+      fmt::format("object \"{}\": light inside of it meets object \"{}\", which moves at another "
+                  "velocity; media nest only where nothing moves",
+                  name(pair >> 32), name(pair & 0xffffffffU)));
+}
+
+}  // namespace restframe

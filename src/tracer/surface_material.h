@@ -1,0 +1,43 @@
+#pragma once
+
+// What a material is at one hit: its functions at the hit's own time, its textures at its place.
+
+#include "scene/temporal_evaluator.h"
+#include "tracer/random.h"
+#include "tracer/sample.h"
+#include "tracer/surface.h"
+
+namespace restframe {
+
+// One lane of what a packet met.
+struct MetSurface {
+  const Scene& scene;
+  const FrameSet& frames;
+  const SurfaceLanes& surfaces;
+  const HitPacket& hits;
+  int lane;
+
+  const Material& material() const {
+    return scene.materials[static_cast<std::size_t>(surfaces.material[lane])];
+  }
+};
+
+// White where no texture is used.
+Vec4f texel(const MetSurface& met, const TextureUse& use);
+
+// The fraction of light that the surface's substance stops, from whatever side.
+float opacity(const MetSurface& met, float texture_alpha, double clock,
+              TemporalEvaluator& evaluator);
+
+// Likewise, but back faces let everything pass unless they are to be seen.
+float coverage(const MetSurface& met, float texture_alpha, double clock,
+               TemporalEvaluator& evaluator);
+
+Vec3f base_color(const MetSurface& met, const Vec4f& texture, double clock,
+                 TemporalEvaluator& evaluator);
+Vec3f emission(const MetSurface& met, double clock, TemporalEvaluator& evaluator);
+
+// What data layers say of a refined hit on a ray of the camera.
+SurfaceData surface_data(const MetSurface& met, const ObjectPlace& place, const RayPacket& rays);
+
+}  // namespace restframe
