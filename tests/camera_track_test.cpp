@@ -164,6 +164,7 @@ void expect_centred(const std::string& camera_lines, const reference::ObserverCa
   const auto all = rendered_animation(RESTFRAME_PROGRAM,
                                       passing_sphere(camera_lines, start, pictures), pictures);
   const Long3 u = widened(reference::gamma_beta_from_beta({0.99, 0, 0}));
+  double worst = 0;
   for (int i = 0; i < pictures; ++i) {
     const Long4 event = reference::camera_event(camera, start + 0.5 * i);
     const Long4 observer = reference::boosted(u, {event.t, event.x - widened(kNearest)});
@@ -172,9 +173,11 @@ void expect_centred(const std::string& camera_lines, const reference::ObserverCa
       for (int x = 0; x < 9; ++x) ASSERT_GT(picture.at("A", x, y), 0) << "picture " << i;
     }
     const glm::dvec2 film = film_of_tracked(picture, observer.x);
+    worst = std::max(worst, glm::length(film - glm::dvec2(4.5)));
     EXPECT_NEAR(film.x, 4.5, 0.01) << "picture " << i;
     EXPECT_NEAR(film.y, 4.5, 0.01) << "picture " << i;
   }
+  ::testing::Test::RecordProperty("pixels_off_centre", fmt::format("{:.5f}", worst));
 }
 
 TEST(TrackingPictures, StayCentredForACameraAtRest) {

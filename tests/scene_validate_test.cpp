@@ -163,6 +163,14 @@ TEST(Validate, CameraViewKeys) {
                 s.camera.aim = AimTrack{{{0, {0, 0, 0}}, {}}, "thing"};
               }),
               ElementsAre(HasSubstr("picture 0: camera: it meets \"thing\"")));
+  const auto meets_at_half = [](Scene& s) {
+    s.camera.motion = Worldline{{0, {0, 0, 0.375}}, Velocity::from_gamma_beta({0, 0, -0.75})};
+    s.camera.aim = AimPoint{};
+    s.exposure.interval = 0.25;
+  };
+  EXPECT_THAT(faults(meets_at_half), IsEmpty());
+  EXPECT_THAT(faults([&](Scene& s) { meets_at_half(s), s.exposure.count = 3; }),
+              ElementsAre(HasSubstr("picture 0: camera: it is at its look_at point")));
 }
 
 TEST(Validate, Objects) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "scene/error.h"
 #include "scene/validate_data.h"
@@ -117,6 +118,15 @@ void check_motion(const AcceleratedPath& path, Faults& faults) {
   }
 }
 
+std::optional<std::string> pose_fault(const Camera& camera, double proper_time) {
+  try {
+    if (is_near(pose_at(camera, proper_time).event)) return std::nullopt;
+    return "camera: it is farther than 1e100 light-seconds, or seconds, from the world's origin";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
 void validate_worldline(const Worldline& worldline, const std::string& name, Faults& faults) {
@@ -141,18 +151,17 @@ void validate_camera(const Camera& camera, Faults& faults) {
 
 // A moving camera may pass what it looks at.
 void validate_poses(const Scene& scene, Faults& faults) {
+  // So many exposures that this would last are left to the rendering.
+  const bool few = 1.0 * scene.animation.pictures * scene.exposure.count <= 1e6;
+  const int exposures = few ? scene.exposure.count : 1;
   for (int picture = 0; picture < scene.animation.pictures; ++picture) {
-    const double proper_time = scene.animation.start + picture / scene.animation.rate;
-    try {
-      if (is_near(pose_at(scene.camera, proper_time).event)) continue;
-      faults.push_back(
-          fmt::format("picture {}: camera: it is farther than 1e100 light-seconds, or "
-                      "seconds, from the world's origin",
-                      picture));
-    } catch (const InputError& error) {
-      faults.push_back(fmt::format("picture {}: {}", picture, error.what()));
+    const double opening = scene.animation.start + picture / scene.animation.rate;
+    for (int i = 0; i < exposures; ++i) {
+      const auto fault = pose_fault(scene.camera, opening + i * scene.exposure.interval);
+      if (!fault) continue;
+      faults.push_back(fmt::format("picture {}: {}", picture, *fault));
+      return;
     }
-    return;
   }
 }
 
