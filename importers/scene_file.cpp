@@ -7,6 +7,7 @@
 #include "importers/file_hash.h"
 #include "importers/input_file.h"
 #include "importers/material_assignment.h"
+#include "importers/refraction_check.h"
 #include "importers/toml_text.h"
 #include "scene/file_names.h"
 
@@ -40,6 +41,7 @@ Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& wa
   if (file.names_complete) assign_materials(changes, file);
   file.faults.throw_any();
   check_whole(file.scene, path);
+  warn_of_open_glass(file.scene, path, warnings);
   return std::move(file.scene);
 }
 
@@ -61,6 +63,7 @@ Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& w
   std::replace(stem.begin(), stem.end(), '#', '_');
   scene.output.path = fmt::format("out/{}.####.exr", stem);
   check_whole(scene, path);
+  warn_of_open_glass(scene, path, warnings);
   return scene;
 }
 

@@ -49,7 +49,6 @@ struct SceneFile {
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   std::vector<ObjectMaterials> object_materials;  // one an object
   std::vector<Mat4> object_from_asset;            // likewise; the asset's units to light-seconds
-  std::vector<Mat3> object_rotations;             // `rotation` of each object
 };
 
 // A property as a file gives it: constant, or an index into Scene::functions.
@@ -77,12 +76,21 @@ std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
 std::optional<int> read_asset(TableReader& object, SceneFile& file);
 
+// The index of the object whose name stands under `key`.
+std::optional<int> read_object_reference(TableReader& table, const std::string& key,
+                                         const SceneFile& file);
+
 // A point in the coordinates of an object's asset as it is placed, from the object's origin in
 // light-seconds.
 Vec3 object_point(const SceneFile& file, int object, const Vec3& point);
 
 std::optional<Property> read_property(TableReader& table, const std::string& key,
                                       const ValueRule& rule, SceneFile& file);
+
+// The function in the file that the table's `file` names: rows of a .csv, or the paper's intervals.
+std::optional<TemporalFunction> read_function_file(TableReader& table,
+                                                   const std::optional<double>& period,
+                                                   const ValueRule& rule, SceneFile& file);
 
 // [camera]'s `aperture`, `focus` and `rolling`.
 void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera& camera);

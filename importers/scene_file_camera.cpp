@@ -50,7 +50,7 @@ void read_motion(TableReader& reader, const std::vector<CameraKey>& keys, SceneF
   const Vec3 position = reader.vector("position").value_or(Vec3(0));
   const double time = reader.number("time").value_or(0);
   const Velocity velocity = read_velocity(reader);
-  const std::optional<int> ridden = read_object_name(reader, "on", file);
+  const std::optional<int> ridden = read_object_reference(reader, "on", file);
   const CameraMotion free =
       read_camera_legs(reader, {{time, position / file.scene.light_speed}, velocity});
   if (ridden) {

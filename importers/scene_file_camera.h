@@ -3,7 +3,7 @@
 // The parts of read_camera. Directions and points of a camera that rides an object are as the file
 // has them, in the object's coordinates.
 
-#include "importers/scene_file_motion.h"
+#include "importers/scene_file.h"
 
 namespace restframe {
 

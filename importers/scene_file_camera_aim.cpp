@@ -5,7 +5,7 @@ namespace {
 
 std::optional<Aim> aim_at_object(TableReader& table, const std::string& key, const Vec3& point,
                                  const SceneFile& file) {
-  const std::optional<int> index = read_object_name(table, key, file);
+  const std::optional<int> index = read_object_reference(table, key, file);
   if (!index) return std::nullopt;
   const Object& object = file.scene.objects[static_cast<std::size_t>(*index)];
   return AimTrack{at_rest_on(object, object_point(file, *index, point)), object.name};

@@ -84,13 +84,20 @@ void read_group(TableReader& table, Light& light) {
   light.group = *group;
 }
 
-// At rest on an object: the axes are the object's as its `rotation` turns them.
-void ride(Light& light, const Vec3& position, const Object& object, const Mat3& rotation) {
-  light.worldline = at_rest_on(object, rotation * position, clock_at_reference(object));
+// A direction in the coordinates of an object's asset, in its rest frame.
+Vec3 turned(const Mat4& object_from_asset, const Vec3& direction) {
+  return glm::normalize(Mat3(object_from_asset) * direction);
+}
+
+void ride(int index, const Vec3& position, const SceneFile& file, Light& light) {
+  const auto i = static_cast<std::size_t>(index);
+  const Object& object = file.scene.objects[i];
+  light.worldline =
+      at_rest_on(object, object_point(file, index, position), clock_at_reference(object));
   light.clock = object.clock;
   light.frame_clock = object.frame_clock;
-  light.direction = glm::normalize(rotation * light.direction);
-  if (light.sweep) light.sweep->axis = glm::normalize(rotation * light.sweep->axis);
+  light.direction = turned(file.object_from_asset[i], light.direction);
+  if (light.sweep) light.sweep->axis = turned(file.object_from_asset[i], light.sweep->axis);
 }
 
 void read_ride(TableReader& table, const SceneFile& file, Light& light) {
@@ -99,11 +106,9 @@ void read_ride(TableReader& table, const SceneFile& file, Light& light) {
     table.report(table.key_place(key),
                  fmt::format("on and {} exclude each other: the light has the object's", key));
   }
-  const Vec3 position = table.vector("position").value_or(Vec3(0)) / file.scene.light_speed;
-  const std::optional<int> index = read_object_name(table, "on", file);
-  if (!index) return;
-  const auto object = static_cast<std::size_t>(*index);
-  ride(light, position, file.scene.objects[object], file.object_rotations[object]);
+  const Vec3 position = table.vector("position").value_or(Vec3(0));
+  const std::optional<int> index = read_object_reference(table, "on", file);
+  if (index) ride(*index, position, file, light);
 }
 
 void read_place(TableReader& table, const SceneFile& file, Light& light) {

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
-#include "importers/scene_file_motion.h"
+#include "importers/scene_file.h"
 
 namespace restframe {
 namespace {
 
-std::optional<MaterialReference> read_object_reference(TableReader& material,
-                                                       const SceneFile& file) {
-  const std::optional<int> index = read_object_name(material, "object", file);
+std::optional<MaterialReference> read_object_name(TableReader& material, const SceneFile& file) {
+  const std::optional<int> index = read_object_reference(material, "object", file);
   if (!index) return std::nullopt;
   return MaterialReference{material.place("object"),
                            file.scene.objects[static_cast<std::size_t>(*index)].name};
@@ -42,7 +41,7 @@ std::optional<MaterialChange> read_change(const ConfigTable& table, SceneFile& f
   MaterialChange change;
   change.at = material.place("name");
   change.name = name.value_or("");
-  change.object = read_object_reference(material, file);
+  change.object = read_object_name(material, file);
   const bool lost = !name || (material.has("object") && !change.object);
   read_properties(material, change, file);
   material.finish();

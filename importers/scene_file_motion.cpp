@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "scene/suggest.h"
-
 namespace restframe {
 namespace {
 
@@ -41,19 +39,6 @@ ClockedWorldline read_clocked_worldline(TableReader& table, const std::string& h
   read.worldline.velocity = read_velocity_or_gamma(table, heading);
   read_clock(table, read);
   return read;
-}
-
-std::optional<int> read_object_name(TableReader& table, const std::string& key,
-                                    const SceneFile& file) {
-  const auto name = table.text(key);
-  if (!name) return std::nullopt;
-  const auto known = file.object_of_name.find(*name);
-  if (known != file.object_of_name.end()) return known->second;
-  std::vector<std::string> names;
-  for (const auto& [other, index] : file.object_of_name) names.push_back(other);
-  table.report(table.place(key), fmt::format("there is no object \"{}\", the nearest is \"{}\"",
-                                             *name, nearest(*name, names)));
-  return std::nullopt;
 }
 
 }  // namespace restframe

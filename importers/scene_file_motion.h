@@ -1,9 +1,7 @@
 #pragma once
 
-// What objects and lights state alike: where, how fast, and what their clock shows; and the names
-// of objects that others refer to.
+// What objects and lights state alike: where, how fast, and what their clock shows.
 
-#include <optional>
 #include <string>
 
 #include "importers/scene_file.h"
@@ -21,9 +19,5 @@ struct ClockedWorldline {
 // way the motion goes.
 ClockedWorldline read_clocked_worldline(TableReader& table, const std::string& heading,
                                         double light_speed);
-
-// The index of the object that the text under `key` names. The fault names the nearest.
-std::optional<int> read_object_name(TableReader& table, const std::string& key,
-                                    const SceneFile& file);
 
 }  // namespace restframe

@@ -16,12 +16,10 @@ Mat4 rotation_matrix(const Vec3& degrees) {
          glm::rotate(Mat4(1), angle.x, Vec3(1, 0, 0));
 }
 
-Mat4 read_placement(TableReader& table, SceneFile& file) {
+Mat4 read_placement(TableReader& table, double light_speed) {
   const Vec3 degrees = table.vector("rotation").value_or(Vec3(0));
   const double scale = table.number("scale", above(0)).value_or(1);
-  const Mat4 rotation = rotation_matrix(degrees);
-  file.object_rotations.push_back(Mat3(rotation));
-  return glm::scale(rotation, Vec3(scale / file.scene.light_speed));
+  return glm::scale(rotation_matrix(degrees), Vec3(scale / light_speed));
 }
 
 void add_slot_materials(const ConfigEntry& entry, const SceneAsset& asset, const Reporter& report,
@@ -77,7 +75,7 @@ void read_object(const ConfigTable& table, SceneFile& file) {
   object.worldline = own.worldline;
   object.clock = own.clock;
   object.frame_clock = own.frame_clock;
-  const Mat4 object_from_asset = read_placement(reader, file);
+  const Mat4 object_from_asset = read_placement(reader, file.scene.light_speed);
   const std::optional<int> asset = read_asset(reader, file);
   if (asset) {
     object.parts = placed_parts(file.assets[static_cast<std::size_t>(*asset)], object_from_asset);
@@ -90,6 +88,19 @@ void read_object(const ConfigTable& table, SceneFile& file) {
 }
 
 }  // namespace
+
+std::optional<int> read_object_reference(TableReader& table, const std::string& key,
+                                         const SceneFile& file) {
+  const auto name = table.text(key);
+  if (!name) return std::nullopt;
+  const auto found = file.object_of_name.find(*name);
+  if (found != file.object_of_name.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, index] : file.object_of_name) names.push_back(known);
+  table.report(table.place(key), fmt::format("there is no object \"{}\", the nearest is \"{}\"",
+                                             *name, nearest(*name, names)));
+  return std::nullopt;
+}
 
 Vec3 object_point(const SceneFile& file, int object, const Vec3& point) {
   return Vec3(file.object_from_asset[static_cast<std::size_t>(object)] * glm::dvec4(point, 1.0));

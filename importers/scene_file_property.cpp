@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include "importers/input_file.h"
-#include "importers/paper_intervals.h"
 #include "importers/scene_file.h"
 
 namespace restframe {
@@ -38,18 +36,6 @@ IntervalFunction read_intervals(TableReader& table, std::optional<double> period
     if (begin && end && value) placed.push_back({element.at, {*begin, *end, *value}});
   }
   return make_intervals(period, std::move(placed), table.report);
-}
-
-// Adds the key if it can follow those before it.
-void add_key(KeyFunction& function, const KeyFunction::Key& key, TextPosition at,
-             const Reporter& report) {
-  const std::size_t last = std::min<std::size_t>(2, function.keys.size());
-  KeyFunction near{function.period,
-                   {function.keys.end() - static_cast<std::ptrdiff_t>(last), function.keys.end()}};
-  near.keys.push_back(key);
-  const std::vector<std::string> faults = temporal_faults(near);
-  for (const std::string& fault : faults) report(at, fault);
-  if (faults.empty()) function.keys.push_back(key);
 }
 
 KeyFunction read_keys(TableReader& table, std::optional<double> period, const ValueRule& rule) {
@@ -97,34 +83,21 @@ FormulaFunction read_formula(TableReader& table, const ValueRule& rule) {
   return function;
 }
 
-std::optional<TemporalFunction> read_function_file(TableReader& table, const ValueRule& rule,
-                                                   SceneFile& file) {
-  const auto name = table.text("file");
-  if (!name) return std::nullopt;
-  const Path path = file.path.parent_path() / Path(*name);
-  if (const auto fault = input_file_fault(path)) {
-    table.report(table.place("file"), fmt::format("file \"{}\": {}", *name, *fault));
-    return std::nullopt;
-  }
-  try {
-    IntervalFunction function = read_paper_intervals(path, rule);
-    add_source(file.scene, *name, path);
-    return function;
-  } catch (const InputError& error) {
-    file.faults.add(table.place("file"), error);
-    return std::nullopt;
-  }
-}
-
-// Keys that belong to other kinds of function than `kind`.
+// Keys that belong to other kinds of function than `kind`. A file's are its own matter.
 void check_companions(TableReader& table, const std::string& kind) {
-  if (table.has("period") && (kind == "formula" || kind == "file")) {
-    table.report(table.key_place("period"), "period goes with intervals or keys only");
+  if (kind == "file") return;
+  if (table.has("period") && kind == "formula") {
+    table.report(table.key_place("period"), "period goes with intervals, keys or a .csv file only");
   }
   for (const char* key : {"from", "to"}) {
     if (table.has(key) && kind != "formula") {
-      table.report(table.key_place(key), fmt::format("{} goes with a formula only", key));
+      table.report(table.key_place(key),
+                   fmt::format("{} goes with a formula or a .csv file only", key));
     }
+  }
+  for (const char* key : {"column", "columns", "time"}) {
+    if (!table.has(key)) continue;
+    table.report(table.key_place(key), fmt::format("{} goes with a .csv file only", key));
   }
 }
 
@@ -140,7 +113,7 @@ std::optional<TemporalFunction> read_function(TableReader& table, const ValueRul
   if (*kind == "intervals") return read_intervals(table, period, rule);
   if (*kind == "keys") return read_keys(table, period, rule);
   if (*kind == "formula") return read_formula(table, rule);
-  return read_function_file(table, rule, file);
+  return read_function_file(table, period, rule, file);
 }
 
 }  // namespace

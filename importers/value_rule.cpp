@@ -72,4 +72,15 @@ IntervalFunction make_intervals(std::optional<double> period, std::vector<Placed
   return function;
 }
 
+void add_key(KeyFunction& function, const KeyFunction::Key& key, TextPosition at,
+             const Reporter& report) {
+  const std::size_t last = std::min<std::size_t>(2, function.keys.size());
+  KeyFunction near{function.period,
+                   {function.keys.end() - static_cast<std::ptrdiff_t>(last), function.keys.end()}};
+  near.keys.push_back(key);
+  const std::vector<std::string> faults = temporal_faults(near);
+  for (const std::string& fault : faults) report(at, fault);
+  if (faults.empty()) function.keys.push_back(key);
+}
+
 }  // namespace restframe

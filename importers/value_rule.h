@@ -31,4 +31,8 @@ struct PlacedInterval {
 IntervalFunction make_intervals(std::optional<double> period, std::vector<PlacedInterval> placed,
                                 const Reporter& report);
 
+// Adds the key if it can follow those before it; else reports why not.
+void add_key(KeyFunction& function, const KeyFunction::Key& key, TextPosition at,
+             const Reporter& report);
+
 }  // namespace restframe

@@ -2,23 +2,11 @@
 # From a bare Debian 12 to a first animation: a blinking lattice that comes at 0.99 of the speed of light.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source tests/support/packages.sh
+source scenes/program.sh
 
 scene=scenes/lattice_approach/scene.toml
 pictures=out/lattice_approach
 finished=$pictures/.finished # newer than the program and the scene: nothing is left to do
-
-say() { printf '\n== %s\n' "$*"; }
-
-build_program() {
-  if [ -f build/release/build.ninja ]; then
-    build=build/release
-  else
-    build=build/demo
-    cmake --preset release -B "$build" -DRESTFRAME_TESTS=OFF
-  fi
-  cmake --build "$build" --target restframe
-}
 
 render() {
   if [ "$finished" -nt "$build/restframe" ] && [ "$finished" -nt "$scene" ]; then

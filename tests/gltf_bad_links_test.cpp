@@ -201,6 +201,20 @@ TEST(GltfMaterials, ReferToWhatIsThere) {
                 at + "/pbrMetallicRoughness/metallicFactor: is 1.5");
   expect_damage(material({{"alphaMode", "SHINY"}}), at + "/alphaMode: is \"SHINY\"");
   expect_damage(material({{"doubleSided", 1}}), at + "/doubleSided: must be true or false");
+  const auto extended = [&](const char* name, const json& value) {
+    return material({{"extensions", {{name, value}}}});
+  };
+  const std::string in = at + "/extensions/KHR_materials_";
+  expect_damage(extended("KHR_materials_ior", 3), in + "ior: is number, must be an object");
+  expect_damage(extended("KHR_materials_ior", {{"ior", -1}}), in + "ior/ior: is -1");
+  expect_damage(extended("KHR_materials_transmission", {{"transmissionFactor", 2}}),
+                in + "transmission/transmissionFactor: is 2");
+  expect_damage(extended("KHR_materials_transmission", {{"transmissionTexture", {{"index", 0}}}}),
+                in + "transmission/transmissionTexture/index: is 0, but there is nothing");
+  expect_damage(extended("KHR_materials_volume", {{"attenuationColor", {1, 1}}}),
+                in + "volume/attenuationColor: has 2 numbers, must have 3");
+  expect_damage(extended("KHR_materials_volume", {{"attenuationDistance", "far"}}),
+                in + "volume/attenuationDistance");
   expect_damage(set("/textures", {{{"source", 0}}}),
                 "/textures/0/source: is 0, but there is nothing");
   expect_damage(set("/samplers", {{{"wrapS", 10498}}}), "/samplers/0/wrapS: is 10498");

@@ -177,5 +177,23 @@ TEST(GltfMaterial, NamesMapsThatItDoesNotUse) {
             std::string::npos);
 }
 
+TEST(GltfMaterial, NamesGlassThatItDoesNotRead) {
+  GltfBuilder builder = with_textures();
+  builder.json["materials"][0]["extensions"] = {
+      {"KHR_materials_ior", {{"ior", 0}}},
+      {"KHR_materials_transmission", {{"transmissionTexture", {{"index", 0}}}}},
+      {"KHR_materials_volume", {{"thicknessTexture", {{"index", 0}}}}}};
+  const TemporaryFolder folder;
+  Warnings warnings;
+  EXPECT_EQ(load(folder, builder.glb(), warnings).materials.at(0).ior.value, 1);
+  ASSERT_EQ(warnings.size(), 3U);
+  const std::vector<std::string> words = {"transmissionTexture of 1 materials is left out",
+                                          "thicknessTexture of 1 materials is left out",
+                                          "/materials/0: ior is 0, must be at least 1"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NE(warnings[i].find(words[i]), std::string::npos) << warnings[i];
+  }
+}
+
 }  // namespace
 }  // namespace restframe

@@ -68,11 +68,12 @@ TEST(Program, HelpStartsANewcomer) {
   const TemporaryFolder folder;
   const RunResult result = run(folder, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
-  for (const char* word : {"render", "lattice", "info", "check", "scene.toml", "Exit codes"}) {
+  for (const char* word :
+       {"render", "lattice", "curves", "info", "check", "scene.toml", "Exit codes"}) {
     EXPECT_TRUE(has(result.out, word)) << word;
   }
   EXPECT_TRUE(result.error.empty());
-  for (const char* command : {"render", "lattice", "info", "check"}) {
+  for (const char* command : {"render", "lattice", "curves", "info", "check"}) {
     const RunResult help = run(folder, {command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_TRUE(has(help.out, "--help")) << command;
@@ -159,7 +160,7 @@ TEST(Program, InfoSaysWhatIsThere) {
   folder.write("scene.toml", kScene);
   const RunResult result = run(folder, {"info", "scene.toml"});
   EXPECT_EQ(result.exit_code, 0) << result.error;
-  for (const char* part : {"2 rest frames", "2 objects", "ball", "still", "320 triangles",
+  for (const char* part : {"2 rest frames", "2 objects", "ball", "still", "320 triangles, closed",
                            "[0, 0, 0.5]", "gamma 1.1547", "memory", "material"}) {
     EXPECT_TRUE(has(result.out, part)) << part << " is not in\n" << result.out;
   }

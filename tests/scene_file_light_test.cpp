@@ -128,10 +128,10 @@ color = {keys = [[0, "black"], [1, "white"]]}
   EXPECT_THAT(scene.function_places.at(0), HasSubstr("light \"light_1\": color"));
 }
 
-// The ship, turned by 90 degrees about y, flies at 0.8c (gamma 5/3) along x; where it is at time 2 its
-// clock shows 7. A lamp at [0, 0, 3] of its coordinates, z turned to x, is 3 in front of its origin
-// in its own frame: in the world it is there gamma * 3 ahead and gamma * 0.8 * 3 later when it
-// shows 7.
+// The ship, turned by 90 degrees about y, flies at 0.8c (gamma 5/3) along x; where it is at time 2
+// its clock shows 7. A lamp is at [0, 0, 0.6] of its asset, which is placed 10 times as large: z
+// turned to x, and 2 lengths a light-second, that is 3 in front of its origin in its own frame. In
+// the world the lamp shows 7 gamma * 3 ahead, and gamma * 0.8 * 3 later.
 TEST_F(SceneFileLight, RidesOnAnObject) {
   const Scene scene = read(R"([scene]
 light_speed = 2
@@ -149,7 +149,7 @@ scale = 10
 [[light]]
 type = "spot"
 on = "ship"
-position = [0, 0, 6]
+position = [0, 0, 0.6]
 direction = [0, 0, 1]
 sweep = {axis = [1, 0, 0], period = 2}
 )");

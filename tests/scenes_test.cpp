@@ -30,10 +30,12 @@ std::string content_of(const fs::path& file) {
   return content.str();
 }
 
+// All but the figures that are no scenes but drawings.
 std::vector<fs::path> scene_folders() {
   std::vector<fs::path> folders;
   for (const auto& entry : fs::directory_iterator(top / "scenes")) {
-    if (entry.is_directory()) folders.push_back(entry.path());
+    const bool drawing = fs::exists(entry.path() / "picture.svg");
+    if (entry.is_directory() && !drawing) folders.push_back(entry.path());
   }
   std::sort(folders.begin(), folders.end());
   return folders;

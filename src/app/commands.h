@@ -17,5 +17,6 @@ int render(const RenderOptions& options, const ImportLimits& limits);
 int author_lattice(const LatticeOptions& options);
 int info(const InfoOptions& options, const ImportLimits& limits);
 int check(const CheckOptions& options, const ImportLimits& limits);
+int curves(const CurvesOptions& options);
 
 }  // namespace restframe

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
+#include <array>
+#include <set>
+
 #include "app/commands.h"
 #include "app/messages.h"
 #include "frames/frame_set.h"
 #include "scene/error.h"
+#include "scene/mesh_closed.h"
 #include "scene/parallel.h"
 
 namespace restframe {
@@ -56,7 +60,29 @@ Bounds object_bounds(const Scene& scene, const Object& object) {
   return all;
 }
 
-void print_frame(const Scene& scene, const RestFrame& frame, std::size_t number) {
+// Of each mesh, whether it is closed. Bytes, since vector<bool> is none of its type.
+using Closedness = std::vector<char>;
+
+Closedness closedness_of(const Scene& scene) {
+  Closedness closed(scene.meshes.size());
+  parallel_for(scene.meshes.size(), [&](std::size_t i) { closed[i] = is_closed(scene.meshes[i]); });
+  return closed;
+}
+
+// "closed", as refraction needs it, or what of the object is not.
+std::string closedness_of(const Object& object, const Closedness& closed) {
+  std::set<int> all, open;
+  for (const PlacedMesh& part : object.parts) {
+    all.insert(part.mesh);
+    if (closed[static_cast<std::size_t>(part.mesh)] == 0) open.insert(part.mesh);
+  }
+  if (open.empty()) return "closed";
+  if (open.size() == all.size()) return "open";
+  return fmt::format("{} of {} meshes open", open.size(), all.size());
+}
+
+void print_frame(const Scene& scene, const RestFrame& frame, const Closedness& closed,
+                 std::size_t number) {
   const Velocity& velocity = frame.coordinates().from_world.velocity();
   fmt::print("rest frame {}: velocity {} c, gamma {:.6g}\n", number, text_of(velocity.beta()),
              velocity.gamma());
@@ -66,21 +92,34 @@ void print_frame(const Scene& scene, const RestFrame& frame, std::size_t number)
     last = part.object;
     const Object& object = scene.objects[static_cast<std::size_t>(last)];
     const Bounds bounds = object_bounds(scene, object);
-    fmt::print("  {}: {}, {}, {} to {}, size {}, placed at {}\n", object.name,
+    fmt::print("  {}: {}, {}, {}, {} to {}, size {}, placed at {}\n", object.name,
                count_of(object.parts.size(), "mesh placed", "meshes placed"),
                count_of(triangles_of(scene, object), "triangle", "triangles"),
-               text_of(bounds.lower), text_of(bounds.upper), text_of(bounds.extent()),
-               text_of(object.worldline.reference.x * scene.light_speed));
+               closedness_of(object, closed), text_of(bounds.lower), text_of(bounds.upper),
+               text_of(bounds.extent()), text_of(object.worldline.reference.x * scene.light_speed));
+  }
+}
+
+void print_lights(const Scene& scene) {
+  constexpr std::array kinds = {"point", "spot", "sun", "environment"};
+  for (const Light& light : scene.lights) {
+    const Worldline& worldline = light.worldline;
+    fmt::print("light {}: {}, velocity {} c, placed at {}\n", light.name,
+               kinds[static_cast<std::size_t>(light.kind)], text_of(worldline.velocity.beta()),
+               text_of(worldline.reference.x * scene.light_speed));
   }
 }
 
 void print_materials(const Scene& scene) {
   for (const Material& m : scene.materials) {
     const Vec3f& color = m.base_color.value;
-    fmt::print("material {}: base color [{:.3g}, {:.3g}, {:.3g}]{}{}{}\n", m.name, color.x, color.y,
-               color.z, m.base_color.function == no_function ? "" : ", changes over its clock",
+    const bool transmits = m.transmission.function != no_function || m.transmission.value > 0;
+    fmt::print("material {}: base color [{:.3g}, {:.3g}, {:.3g}]{}{}{}{}\n", m.name, color.x,
+               color.y, color.z,
+               m.base_color.function == no_function ? "" : ", changes over its clock",
                m.base_color_texture.texture < 0 ? "" : ", textured",
-               m.alpha_mode == AlphaMode::opaque ? "" : ", transparent");
+               m.alpha_mode == AlphaMode::opaque ? "" : ", transparent",
+               transmits ? ", transmits light" : "");
   }
 }
 
@@ -97,8 +136,10 @@ int info(const InfoOptions& options, const ImportLimits& limits) {
              count_of(scene.materials.size(), "material", "materials"),
              count_of(stored, "triangle", "triangles"),
              count_of(scene.images.size(), "image", "images"));
+  const Closedness closed = closedness_of(scene);
   std::size_t number = 0;
-  for (const RestFrame& frame : frames.frames()) print_frame(scene, frame, ++number);
+  for (const RestFrame& frame : frames.frames()) print_frame(scene, frame, closed, ++number);
+  print_lights(scene);
   print_materials(scene);
   const auto megabytes = [](std::size_t count) { return static_cast<double>(count) * 1e-6; };
   fmt::print("memory: meshes {:.1f} MB, images {:.1f} MB, Embree {:.1f} MB ({:.1f} MB to build)\n",

@@ -4,11 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 
+#include "app/option_values.h"
 #include "app/version.h"
 #include "scene/error.h"
+#include "scene/file_names.h"
 #include "scene/message.h"
 #include "scene/suggest.h"
 
@@ -22,6 +23,7 @@ First steps:
   restframe lattice -o lattice.glb          make an asset, or bring your own .glb, .gltf or .obj
   restframe render lattice.glb              a picture of it at rest: out/lattice.0000.exr and .png
   restframe render scene.toml               an animation, as a scene file says
+  restframe render scene.toml --contact-sheet sheet.png       all of it on one page
 
 A scene file of four lines:
   [[object]]
@@ -31,37 +33,6 @@ A scene file of four lines:
 
 Exit codes: 0 done, 1 a defect of restframe, 2 bad input or options, 3 output or resources failed,
 130 interrupted.)";
-
-// "AxB" or "AxBxC": as many whole numbers as `numbers` has places.
-void parse_sizes(const std::string& option, const std::string& text, std::vector<int*> numbers) {
-  const char* at = text.data();
-  const char* end = at + text.size();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto [stop, fault] = std::from_chars(at, end, *numbers[i]);
-    const bool last = i + 1 == numbers.size();
-    if (fault != std::errc{} || *numbers[i] < 1 ||
-        (last ? stop != end : stop == end || *stop != 'x')) {
-      throw InputError(
-          fmt::format("{}: \"{}\" is not {} whole numbers joined by x, each at least 1", option,
-                      text, numbers.size()));
-    }
-    at = stop + 1;
-  }
-}
-
-PictureRange parse_range(const std::string& text) {
-  PictureRange range;
-  const char* end = text.data() + text.size();
-  std::from_chars_result read = std::from_chars(text.data(), end, range.first);
-  range.last = range.first;
-  if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '-') {
-    read = std::from_chars(read.ptr + 1, end, range.last);
-  }
-  if (read.ec != std::errc{} || read.ptr != end || range.first < 0 || range.last < range.first) {
-    throw InputError(fmt::format("--pictures: \"{}\" is neither a number nor FIRST-LAST", text));
-  }
-  return range;
-}
 
 // CLI11 would say no more than that a command is missing.
 void check_first_word(const CLI::App& app, int argc, char** argv) {
@@ -88,7 +59,7 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
 }
 
 struct Texts {
-  std::string pictures, size, cells, instances = "nodes";
+  std::string pictures, size, cells, instances = "nodes", speeds;
 };
 
 CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
@@ -103,7 +74,24 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
   command->add_option("--threads", render.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 1024));
   command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
+  command->add_option("--video", render.video,
+                      "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");
+  command->add_option("--contact-sheet", render.contact_sheet,
+                      "Then all the pictures, small, on one: FILE.png");
   command->add_flag("-q,--quiet", render.quiet, "No progress bar, no closing line");
+  return command;
+}
+
+CLI::App* add_curves(CLI::App& app, CurvesOptions& curves, Texts& texts) {
+  CLI::App* command = app.add_subcommand(
+      "curves",
+      "Draw how fast a moving clock is seen to run against viewing direction (.svg, .csv)");
+  command->add_option("-o,--output", curves.output, "The drawing; the table lies beside, as .csv")
+      ->capture_default_str();
+  command->add_option("--speeds", texts.speeds, "Up to 8, in fractions of c")
+      ->default_str("0.85,0.9,0.99");
+  command->add_option("--step", curves.step, "Degrees between the table's rows, 0.001 to 90")
+      ->capture_default_str();
   return command;
 }
 
@@ -149,6 +137,17 @@ LatticeOptions completed(LatticeOptions options, const Texts& texts) {
   return options;
 }
 
+CurvesOptions completed(CurvesOptions options, const Texts& texts) {
+  if (!texts.speeds.empty()) options.speeds = parse_speeds(texts.speeds);
+  if (!(options.step >= 0.001 && options.step <= 90)) {
+    throw InputError(fmt::format("--step: {} degrees, must be 0.001 to 90", options.step));
+  }
+  if (lower_extension(options.output) != ".svg") {
+    throw InputError(fmt::format("--output: {} must end in .svg", quote(options.output)));
+  }
+  return options;
+}
+
 }  // namespace
 
 Options parse_options(int argc, char** argv) {
@@ -160,9 +159,11 @@ Options parse_options(int argc, char** argv) {
   LatticeOptions lattice;
   InfoOptions info;
   CheckOptions check;
+  CurvesOptions curves;
   Texts texts;
   const CLI::App* render_command = add_render(app, render, texts);
   const CLI::App* lattice_command = add_lattice(app, lattice, texts);
+  const CLI::App* curves_command = add_curves(app, curves, texts);
   CLI::App* info_command = app.add_subcommand(
       "info", "Say what a scene or an asset holds: objects, rest frames, triangles, memory");
   info_command->add_option("FILE", info.file, "A scene file or an asset")->required();
@@ -170,7 +171,8 @@ Options parse_options(int argc, char** argv) {
       app.add_subcommand("check", "List every fault of a scene or an asset, render nothing");
   check_command->add_option("FILE", check.file, "A scene file or an asset")->required();
   for (CLI::App* command : app.get_subcommands({})) {
-    if (command != lattice_command) add_limits(*command, options.limits);
+    if (command != lattice_command && command != curves_command)
+      add_limits(*command, options.limits);
   }
   check_first_word(app, argc, argv);
   try {
@@ -184,6 +186,8 @@ Options parse_options(int argc, char** argv) {
     options.command = completed(render, texts);
   } else if (app.got_subcommand(lattice_command)) {
     options.command = completed(lattice, texts);
+  } else if (app.got_subcommand(curves_command)) {
+    options.command = completed(curves, texts);
   } else if (app.got_subcommand(info_command)) {
     options.command = info;
   } else {

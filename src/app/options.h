@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "importers/importers.h"
 #include "scene/generators.h"
@@ -21,6 +22,7 @@ struct RenderOptions {
   int threads = 0;  // 0: all cores
   bool overwrite = false;
   bool quiet = false;
+  std::optional<std::string> video, contact_sheet;  // files made of the previews
 };
 
 struct LatticeOptions {
@@ -37,8 +39,15 @@ struct CheckOptions {
   std::string file;
 };
 
+// The paper's figure 5.
+struct CurvesOptions {
+  std::string output = "out/curves.svg";           // the CSV lies beside it
+  std::vector<double> speeds = {0.85, 0.9, 0.99};  // fractions of c
+  double step = 1;                                 // degrees between the CSV's rows
+};
+
 struct Options {
-  std::variant<RenderOptions, LatticeOptions, InfoOptions, CheckOptions> command;
+  std::variant<RenderOptions, LatticeOptions, InfoOptions, CheckOptions, CurvesOptions> command;
   ImportLimits limits;
 };
 

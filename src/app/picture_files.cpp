@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 
 #include "app/render_picture.h"
@@ -69,6 +70,16 @@ std::filesystem::path picture_path(const std::string& pattern, int number, bool 
   const std::size_t after = std::min(pattern.find_first_not_of('#', first), pattern.size());
   return pattern.substr(0, first) + fmt::format("{:0{}}", number, after - first) +
          pattern.substr(after);
+}
+
+std::string file_content(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (!stream || content.view().empty()) {
+    throw InputError(path.string() + ": can not be read, or is empty");
+  }
+  return std::move(content).str();
 }
 
 std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool overwrite) {

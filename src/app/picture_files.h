@@ -13,6 +13,9 @@ namespace restframe {
 // (see output_pattern_fault).
 std::filesystem::path picture_path(const std::string& pattern, int number, bool single);
 
+// All bytes of a file. Throws InputError where it can not be read.
+std::string file_content(const std::filesystem::path& path);
+
 // Of the pictures [first, last], those that are still to be made: missing or torn ones. A complete
 // picture of another scene is an InputError that says what differs; `overwrite` makes all again.
 std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool overwrite);

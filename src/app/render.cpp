@@ -8,6 +8,7 @@
 #include "app/picture_writer.h"
 #include "app/progress.h"
 #include "app/render_picture.h"
+#include "app/showing.h"
 #include "app/signals.h"
 #include "scene/error.h"
 #include "scene/framing.h"
@@ -21,6 +22,7 @@ void apply(const RenderOptions& options, Scene& scene) {
   if (options.width) scene.render.width = *options.width;
   if (options.height) scene.render.height = *options.height;
   if (options.samples) scene.render.samples = *options.samples;
+  if (wants_show(options)) scene.output.preview = true;  // it is made of the previews
 }
 
 PictureRange range_of(const RenderOptions& options, const AnimationSettings& animation) {
@@ -112,10 +114,12 @@ int render(const RenderOptions& options, const ImportLimits& limits) {
   const auto& [scene, range] = job;
   const std::vector<int> numbers =
       pictures_to_make(scene, range.first, range.last, options.overwrite);
+  const Show show = planned_show(options, scene, range, numbers);
   if (!numbers.empty()) {
     render_pictures(scene, numbers, job.single(), options.quiet, thread_count());
   }
   if (!options.quiet) print_result(job, numbers.size());
+  make_show(show, scene);
   return 0;
 }
 

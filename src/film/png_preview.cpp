@@ -1,7 +1,6 @@
 #include "film/png_preview.h"
 
 #include <cmath>
-#include <span>
 
 #include "scene/atomic_file.h"
 #include "scene/color.h"
@@ -38,10 +37,14 @@ void write_png(const std::filesystem::path& path, const Picture& picture) {
     const Vec3f encoded = srgb_from_linear(Vec3f(pixel));
     for (int i = 0; i < 3; ++i) rgb.push_back(byte_of(encoded[i]));
   }
+  write_png(path, picture.width(), picture.height(), rgb);
+}
+
+void write_png(const std::filesystem::path& path, int width, int height,
+               std::span<const std::uint8_t> rgb) {
   std::vector<std::byte> file;
-  if (stbi_write_png_to_func(append_bytes, &file, picture.width(), picture.height(), 3, rgb.data(),
-                             3 * picture.width()) == 0) {
-    throw OutputError(path.string() + ": the preview can not be encoded");
+  if (stbi_write_png_to_func(append_bytes, &file, width, height, 3, rgb.data(), 3 * width) == 0) {
+    throw OutputError(path.string() + ": the picture can not be encoded as PNG");
   }
   write_file_atomically(path, file);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "film/picture.h"
 
@@ -8,5 +10,9 @@ namespace restframe {
 
 // The beauty over black, in sRGB. Throws OutputError.
 void write_png(const std::filesystem::path& path, const Picture& picture);
+
+// An sRGB picture of 3 bytes a pixel, rows from the top. Throws OutputError.
+void write_png(const std::filesystem::path& path, int width, int height,
+               std::span<const std::uint8_t> rgb);
 
 }  // namespace restframe

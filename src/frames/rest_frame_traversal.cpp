@@ -237,7 +237,7 @@ void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
   narrow(traversal_scale_, local, query);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local));
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcOccluded16(&local.active[0], traversed_, &context, &query);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {

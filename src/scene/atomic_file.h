@@ -25,6 +25,9 @@ class AtomicFile {
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
 
+  // Where the bytes are until then: for another program that writes them.
+  const std::filesystem::path& temporary_path() const { return temporary_; }
+
   // Everything is on the disk, under the final name, when it returns.
   void commit();
 

@@ -53,8 +53,9 @@ class Pipe {
 
 // In the child, between fork and exec: system calls only, since other threads' locks are copied as
 // held.
-[[noreturn]] void become(const char* program, char* const* arguments, const char* folder,
-                         const Pipe& out, const Pipe& error, const RunOptions& options) {
+[[noreturn]] void become(const char* program, char* const* arguments, char* const* environment,
+                         const char* folder, const Pipe& out, const Pipe& error,
+                         const RunOptions& options) {
   const auto limit = [](__rlimit_resource resource, const std::optional<std::uint64_t>& bytes) {
     const rlimit value{bytes.value_or(0), bytes.value_or(0)};
     if (bytes) setrlimit(resource, &value);
@@ -66,8 +67,26 @@ class Pipe {
   dup2(empty, STDIN_FILENO);
   dup2(out.writer(), STDOUT_FILENO);
   dup2(error.writer(), STDERR_FILENO);
-  if (*folder == '\0' || chdir(folder) == 0) execv(program, arguments);
+  if (*folder == '\0' || chdir(folder) == 0) execve(program, arguments, environment);
   _exit(127);
+}
+
+// This process's own, with the options' PATH.
+std::vector<std::string> environment_of(const RunOptions& options) {
+  std::vector<std::string> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    variables.emplace_back(*variable);
+    if (options.path_variable && variables.back().rfind("PATH=", 0) == 0) variables.pop_back();
+  }
+  if (options.path_variable) variables.push_back("PATH=" + *options.path_variable);
+  return variables;
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 // Sends the options' signal when time is up, SIGKILL five seconds later.
@@ -119,15 +138,18 @@ RunResult run_program(const std::filesystem::path& program,
                       const std::vector<std::string>& arguments, const RunOptions& options) {
   const std::string name = std::filesystem::absolute(program).string();
   const std::string folder = options.folder.string();
-  std::vector<char*> argv = {const_cast<char*>(name.c_str())};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
+  std::vector<std::string> words = arguments;
+  words.insert(words.begin(), name);
+  std::vector<std::string> variables = environment_of(options);
+  const std::vector<char*> argv = pointers_to(words);
+  const std::vector<char*> environment = pointers_to(variables);
 
   Pipe out, error;
   const Clock::time_point start = Clock::now();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) become(name.c_str(), argv.data(), folder.c_str(), out, error, options);
+  if (child == 0)
+    become(name.c_str(), argv.data(), environment.data(), folder.c_str(), out, error, options);
   out.close_writer();
   error.close_writer();
 

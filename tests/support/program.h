@@ -18,6 +18,7 @@ struct RunOptions {
   std::optional<std::uint64_t>
       largest_file{};                     // bytes: a write beyond fails, as on a full disk (EFBIG)
   std::optional<std::uint64_t> memory{};  // bytes of address space
+  std::optional<std::string> path_variable{};  // PATH; else the test's own
 };
 
 struct RunResult {

@@ -10,10 +10,10 @@ namespace restframe {
 // the surface emits and what lights send there, and goes on in one direction, chosen by the laws of
 // optics in the surface's rest frame, through all rest frames (paper, section 2.2.1). Its frequency
 // there stays (design, section 2, point 3), so moving mirrors shift without further code.
-class Path {
+class PathTracer {
  public:
   // Both must outlive the integrator.
-  Path(const Scene& scene, const FrameSet& frames);
+  PathTracer(const Scene& scene, const FrameSet& frames);
 
   // `evaluator` belongs to the calling thread. `data`, if wanted, gets the first surface that a
   // stochastic opacity test keeps.

@@ -1,4 +1,4 @@
-#include "tracer/path.h"
+#include "tracer/path_tracer.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ bool emits(const Material& m) {
 
 }  // namespace
 
-Path::Path(const Scene& scene, const FrameSet& frames)
+PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
     : stage_{scene, frames, object_places(scene, frames), {}, {}, false, false},
       crossed_media_(no_crossing) {
   for (const LightPlace& place : light_places(scene)) {
@@ -33,15 +33,15 @@ Path::Path(const Scene& scene, const FrameSet& frames)
   }
 }
 
-void Path::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
-                 RadianceLanes& radiance, SurfaceDataLanes* data) const {
+void PathTracer::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
+                       RadianceLanes& radiance, SurfaceDataLanes* data) const {
   PathWalk walk(stage_, id, evaluator, rays, data);
   walk.run();
   walk.take_radiance(radiance);
   note_crossing(walk.crossing());
 }
 
-void Path::note_crossing(const MediumCrossing& crossing) const {
+void PathTracer::note_crossing(const MediumCrossing& crossing) const {
   if (crossing.medium < 0) return;
   const std::uint64_t pair = (static_cast<std::uint64_t>(crossing.medium) << 32) |
                              static_cast<std::uint64_t>(crossing.inside);
@@ -49,7 +49,7 @@ void Path::note_crossing(const MediumCrossing& crossing) const {
   while (pair < known && !crossed_media_.compare_exchange_weak(known, pair)) continue;
 }
 
-void Path::check_media() const {
+void PathTracer::check_media() const {
   const std::uint64_t pair = crossed_media_.load();
   if (pair == no_crossing) return;
   const auto name = [&](std::uint64_t object) {
