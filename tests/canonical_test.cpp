@@ -79,6 +79,27 @@ TEST(Canonical, ChangesWithTheCamera) {
          s.camera.up = {1, 0, 0};
        }},
       {"fov", [](Scene& s) { s.camera.vertical_fov = std::nextafter(1.0, 2.0); }},
+      {"aperture", [](Scene& s) { s.camera.aperture = 0.1; }},
+      {"focus", [](Scene& s) { s.camera.focus = 0.1; }},
+      {"rolling", [](Scene& s) { s.camera.rolling = 0.1; }},
+  });
+}
+
+TEST(Canonical, ChangesWithExposures) {
+  expect_all_different({
+      {"shutter", [](Scene& s) { s.exposure.shutter = 0.1; }},
+      {"shape", [](Scene& s) { s.exposure.shape = ShutterShape::triangle; }},
+      {"a curve",
+       [](Scene& s) {
+         s.exposure.curve = {{0, 1}, {1, 0}};
+       }},
+      {"another curve",
+       [](Scene& s) {
+         s.exposure.curve = {{0, 1}, {1, 0.5}};
+       }},
+      {"count", [](Scene& s) { s.exposure.count = 2; }},
+      {"interval", [](Scene& s) { s.exposure.interval = 0.1; }},
+      {"combine", [](Scene& s) { s.exposure.combine = Combine::max; }},
   });
 }
 

@@ -102,9 +102,9 @@ std::string pictures_with(const TemporaryFolder& folder, int threads) {
   return bytes;
 }
 
-TEST(Determinism, TheSameBytesForAnyNumberOfThreads) {
+void expect_the_same_bytes(const std::string& scene) {
   const TemporaryFolder folder;
-  folder.write("scene.toml", kScene);
+  folder.write("scene.toml", scene);
   folder.write("board.obj", kBoard);
   folder.write("board.mtl", "newmtl board\nKd 1 1 1\nmap_Kd board.png\n");
   write_texture(folder.path() / "board.png");
@@ -112,6 +112,18 @@ TEST(Determinism, TheSameBytesForAnyNumberOfThreads) {
   ASSERT_GT(one.size(), 20000U);
   EXPECT_TRUE(one == pictures_with(folder, 2));
   EXPECT_TRUE(one == pictures_with(folder, 5));
+}
+
+TEST(Determinism, TheSameBytesForAnyNumberOfThreads) {
+  expect_the_same_bytes(kScene);
+}
+
+TEST(Determinism, TheSameBytesWithAllThatIsDrawnAtRandom) {
+  std::string scene = kScene;
+  const std::string before = "look_at = [0, 0, 0]\n";
+  scene.insert(scene.find(before), "aperture = 0.1\nfocus = 4\nrolling = 0.05\n");
+  scene += "[exposure]\nshutter = 0.1\nopening = \"triangle\"\ncount = 2\ninterval = 0.2\n";
+  expect_the_same_bytes(scene);
 }
 
 }  // namespace

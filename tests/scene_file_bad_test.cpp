@@ -87,11 +87,6 @@ TEST_F(BadScene, WhatThisVersionDoesNotDo) {
     return "\"" + word + "\" is not supported by this version of restframe";
   };
   check({
-      {in_camera("aperture = 0.1"), {"3:1: " + none("aperture")}},
-      {in_camera("focus = 1"), {"3:1: " + none("focus")}},
-      {in_camera("rolling = 0.1"), {"3:1: " + none("rolling")}},
-      {in_section("exposure", "shutter = 0.1"), {"2:1: " + none("shutter")}},
-      {in_section("exposure", "count = 2"), {"2:1: " + none("count")}},
       {in_section("render", "doppler = true"), {"2:1: " + none("doppler")}},
       {in_section("output", "split = true"), {"2:1: " + none("split")}},
       {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},

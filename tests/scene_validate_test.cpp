@@ -82,6 +82,39 @@ TEST(Validate, Settings) {
   one([](Scene& s) { s.output.layers = {Layer::z, Layer::z}; }, "repeat");
 }
 
+TEST(Validate, Exposure) {
+  const auto one = [](const std::function<void(ExposureSettings&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { spoil(s.exposure); }), ElementsAre(HasSubstr(words)));
+  };
+  one([](ExposureSettings& e) { e.shutter = -1; }, "shutter is -1, must be from 0");
+  one([](ExposureSettings& e) { e.shutter = std::nan(""); }, "shutter");
+  one([](ExposureSettings& e) { e.count = 0; }, "count is 0, must be from 1 to 65536");
+  one([](ExposureSettings& e) { e.count = 65537; }, "count is 65537");
+  one([](ExposureSettings& e) { e.interval = -1; }, "interval is -1");
+  one([](ExposureSettings& e) { e.count = 2, e.interval = 0; }, "above 0 with several");
+  one([](ExposureSettings& e) { e.shape = ShutterShape::curve; }, "never open");
+  one(
+      [](ExposureSettings& e) {
+        e.shape = ShutterShape::curve, e.curve = {{0, 1}, {1, inf}};
+      },
+      "openness is inf");
+  one(
+      [](ExposureSettings& e) {
+        e.shape = ShutterShape::curve, e.curve = {{0, 1}, {2, 1}};
+      },
+      "2 is out of place");
+}
+
+TEST(Validate, Lens) {
+  const auto one = [](const std::function<void(Camera&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { spoil(s.camera); }), ElementsAre(HasSubstr(words)));
+  };
+  one([](Camera& c) { c.aperture = -1; }, "aperture is -1, must be from 0");
+  one([](Camera& c) { c.aperture = inf; }, "aperture is inf");
+  one([](Camera& c) { c.focus = 0; }, "focus is 0, must be above 0");
+  one([](Camera& c) { c.rolling = -1; }, "rolling is -1, must be from 0");
+}
+
 TEST(Validate, Camera) {
   const auto one = [](const std::function<void(Camera&)>& spoil, const char* words) {
     EXPECT_THAT(faults([&](Scene& s) { spoil(s.camera); }), ElementsAre(HasSubstr(words)));
