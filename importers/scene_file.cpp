@@ -33,8 +33,8 @@ Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& wa
   add_source(file.scene, path.filename().string(), path);
   TableReader root(table, {file.faults, ""});
   read_settings(root, file);
-  read_camera(root, file);
   read_objects(root, file);
+  read_camera(root, file);
   read_lights(root, file);
   const std::vector<MaterialChange> changes = read_material_changes(root, file);
   root.finish();

@@ -67,9 +67,10 @@ struct MaterialChange {
 // [scene], [animation], [exposure], [render], [output]
 void read_settings(TableReader& root, SceneFile& file);
 void read_exposure(TableReader& root, SceneFile& file);
-void read_camera(TableReader& root, SceneFile& file);
 void read_objects(TableReader& root, SceneFile& file);
-void read_lights(TableReader& root, SceneFile& file);  // after the objects, on which they may be
+// After the objects, which they may name.
+void read_camera(TableReader& root, SceneFile& file);
+void read_lights(TableReader& root, SceneFile& file);
 std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file);
 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.

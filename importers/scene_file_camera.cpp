@@ -3,22 +3,60 @@
 #include <algorithm>
 #include <cmath>
 
-#include "importers/scene_file.h"
+#include "importers/scene_file_camera.h"
 
 namespace restframe {
 namespace {
 
-void read_aim(TableReader& table, double light_speed, Camera& camera) {
-  table.one_of({"look_at", "direction"});
-  const auto up = read_direction(table, "up");
-  camera.up = up.value_or(camera.up);
-  if (const auto point = table.vector("look_at")) camera.aim = AimPoint{*point / light_speed};
-  const auto direction = read_direction(table, "direction");
-  if (!direction) return;
-  camera.aim = AimDirection{*direction};
-  if (glm::length(glm::cross(*direction, camera.up)) < 1e-9) {
-    table.report(table.place("direction"),
-                 "direction is along up, which leaves the orientation open");
+// Directions of a camera that rides an object are in the object's coordinates.
+void turn(const Mat4& object_from_asset, Aim& aim) {
+  auto* ahead = std::get_if<AimDirection>(&aim);
+  if (ahead) ahead->direction = glm::normalize(Mat3(object_from_asset) * ahead->direction);
+}
+
+void turn_with_object(const Mat4& object_from_asset, Camera& camera) {
+  turn(object_from_asset, camera.aim);
+  for (ViewKey& key : camera.view_keys) turn(object_from_asset, key.aim);
+  const Aim& aim = camera.view_keys.empty() ? camera.aim : camera.view_keys[0].aim;
+  if (!std::holds_alternative<AimDirection>(aim)) return;  // `up` is the world's
+  camera.up = glm::normalize(Mat3(object_from_asset) * camera.up);
+}
+
+// Whose place and clock the camera has, in coordinates of its asset.
+void ride(int index, const Vec3& point, const SceneFile& file, Camera& camera) {
+  const auto i = static_cast<std::size_t>(index);
+  camera.motion = at_rest_on(file.scene.objects[i], object_point(file, index, point), 0.0);
+  turn_with_object(file.object_from_asset[i], camera);
+}
+
+void check_exclusions(TableReader& camera, bool keys_move) {
+  camera.one_of({"key", "leg"});
+  for (const char* key : {"time", "velocity", "leg"}) camera.one_of({"on", key});
+  if (!keys_move) return;
+  for (const char* key : {"position", "velocity", "on"}) {
+    if (!camera.has(key)) continue;
+    camera.report(camera.key_place(key),
+                  fmt::format("{} and keys with positions exclude each other", key));
+  }
+}
+
+void read_motion(TableReader& reader, const std::vector<CameraKey>& keys, SceneFile& file) {
+  Camera& camera = file.scene.camera;
+  const bool keys_move = !keys.empty() && keys[0].position;
+  check_exclusions(reader, keys_move);
+  if (!reader.has("position") && !reader.has("on") && !keys_move) {
+    reader.report(reader.place(), "position is missing");
+  }
+  const Vec3 position = reader.vector("position").value_or(Vec3(0));
+  const double time = reader.number("time").value_or(0);
+  const Velocity velocity = read_velocity(reader);
+  const std::optional<int> ridden = read_object_reference(reader, "on", file);
+  const CameraMotion free =
+      read_camera_legs(reader, {{time, position / file.scene.light_speed}, velocity});
+  if (ridden) {
+    ride(*ridden, position, file, camera);
+  } else {
+    camera.motion = keys_move ? path_through(keys, time, reader.report) : free;
   }
 }
 
@@ -48,15 +86,13 @@ void read_camera(TableReader& root, SceneFile& file) {
   TableReader reader(*table, {file.faults, "camera"});
   Camera& camera = file.scene.camera;
   file.scene.camera_given = true;
-  if (!reader.has("position")) reader.report(table->at, "position is missing");
-  camera.worldline.reference.x =
-      reader.vector("position").value_or(Vec3(0)) / file.scene.light_speed;
-  camera.worldline.reference.t = reader.number("time").value_or(0);
-  camera.worldline.velocity = read_velocity(reader);
-  read_aim(reader, file.scene.light_speed, camera);
+  camera.up = read_direction(reader, "up").value_or(camera.up);
+  camera.aim = read_aim(reader, camera.up, file).value_or(camera.aim);
   camera.vertical_fov = glm::radians(reader.number("fov", between(0, 180)).value_or(60));
+  const std::vector<CameraKey> keys = read_camera_keys(reader, file);
+  camera.view_keys = view_keys(keys, camera, reader.report);
+  read_motion(reader, keys, file);
   read_lens_and_rolling(reader, file.scene.light_speed, camera);
-  reader.not_supported({"track", "on", "key", "leg"});
   reader.finish();
 }
 

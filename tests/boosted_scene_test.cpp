@@ -58,7 +58,7 @@ TEST(WignerRotation, NothingTurnsWithoutTwoDirections) {
 
 Scene example() {
   Scene scene;
-  scene.camera.worldline = {{0.5, {1, 2, 8}}, Velocity::from_beta({0.2, -0.4, 0.5})};
+  scene.camera.motion = Worldline{{0.5, {1, 2, 8}}, Velocity::from_beta({0.2, -0.4, 0.5})};
   scene.camera.aim = AimDirection{{0, 0.6, -0.8}};
   const auto add = [&scene](const Worldline& worldline) {
     Object object;
@@ -85,7 +85,7 @@ TEST(BoostedScene, KeepsIntervalsAndRelativeSpeeds) {
   for (const Velocity& new_world : kNewWorlds) {
     const Scene old_scene = example(), new_scene = boosted(old_scene, new_world);
     const auto lines = [](const Scene& scene) {
-      std::vector<Worldline> all = {scene.camera.worldline};
+      std::vector<Worldline> all = {std::get<Worldline>(scene.camera.motion)};
       for (const Object& object : scene.objects) all.push_back(object.worldline);
       return all;
     };
@@ -110,7 +110,7 @@ struct RestRay {
   WaveVector<in::Rest> k;
 };
 RestRay rest_ray(const Scene& scene, const Object& object, double tau, const Vec3& direction) {
-  const Worldline& camera = scene.camera.worldline;
+  const Worldline& camera = std::get<Worldline>(scene.camera.motion);
   const Boost<in::World, in::Camera> world_from_camera(-camera.velocity);
   const AnchoredFrame<in::Rest> rest = object.worldline.rest_frame();
   return {rest(camera.at_proper_time(tau)),
@@ -121,7 +121,7 @@ TEST(BoostedScene, RaysDifferByTheObjectsRotationAlone) {
   const Scene old_scene = example();
   for (const Velocity& new_world : kNewWorlds) {
     const Scene new_scene = boosted(old_scene, new_world);
-    const Mat3 camera_turn = wigner_rotation(old_scene.camera.worldline.velocity, new_world);
+    const Mat3 camera_turn = wigner_rotation(std::get<Worldline>(old_scene.camera.motion).velocity, new_world);
     EXPECT_LE(glm::length(std::get<AimDirection>(new_scene.camera.aim).direction -
                           camera_turn * Vec3(0, 0.6, -0.8)),
               1e-15);

@@ -18,7 +18,7 @@ using reference::widened;
 
 Camera looking_at(const Vec3& position, const Velocity& velocity, const Vec3& point) {
   Camera camera;
-  camera.worldline = {{2.5, position}, velocity};
+  camera.motion = Worldline{{2.5, position}, velocity};
   camera.aim = AimPoint{point};
   return camera;
 }
@@ -53,7 +53,7 @@ TEST(CameraPose, LooksAlongItsDirectionAtRest) {
 TEST(CameraPose, TheDirectionIsInItsOwnAxesHoweverItMoves) {
   for (const Velocity& velocity : velocity_grid()) {
     Camera camera;
-    camera.worldline.velocity = velocity;
+    std::get<Worldline>(camera.motion).velocity = velocity;
     camera.aim = AimDirection{glm::normalize(Vec3(1, 2, -3))};
     camera.up = {0.1, 5, 0.3};
     const CameraPose pose = pose_at(camera, 0);

@@ -56,11 +56,11 @@ TEST(Canonical, SameScenesHaveTheSameText) {
 
 TEST(Canonical, ChangesWithTheCamera) {
   expect_all_different({
-      {"position", [](Scene& s) { s.camera.worldline.reference.x.y = 1e-300; }},
-      {"time", [](Scene& s) { s.camera.worldline.reference.t = 1; }},
+      {"position", [](Scene& s) { std::get<Worldline>(s.camera.motion).reference.x.y = 1e-300; }},
+      {"time", [](Scene& s) { std::get<Worldline>(s.camera.motion).reference.t = 1; }},
       {"velocity",
        [](Scene& s) {
-         s.camera.worldline.velocity = Velocity::from_beta({0.1, 0, 0});
+         std::get<Worldline>(s.camera.motion).velocity = Velocity::from_beta({0.1, 0, 0});
        }},
       {"direction",
        [](Scene& s) {
@@ -100,6 +100,51 @@ TEST(Canonical, ChangesWithExposures) {
       {"count", [](Scene& s) { s.exposure.count = 2; }},
       {"interval", [](Scene& s) { s.exposure.interval = 0.1; }},
       {"combine", [](Scene& s) { s.exposure.combine = Combine::max; }},
+  });
+}
+
+TEST(Canonical, ChangesWithTheCamerasPath) {
+  const auto keyed = [](double time, const std::vector<PathKey>& keys, bool states_velocity) {
+    return [=](Scene& s) { s.camera.motion = KeyedPath(time, keys, states_velocity); };
+  };
+  const auto accelerated = [](const Worldline& start, const std::vector<AccelerationLeg>& legs) {
+    return [=](Scene& s) { s.camera.motion = AcceleratedPath(start, legs); };
+  };
+  const PathKey key{0, {1, 2, 3}, {}}, moved{0, {1, 2, 3.5}, {}}, later{0.5, {1, 2, 3}, {}};
+  const PathKey moving{0, {1, 2, 3}, Velocity::from_beta({0, 0, 0.5})};
+  const Worldline start{{1, {0, 0, 0}}, {}};
+  expect_all_different({
+      {"a key", keyed(0, {key}, false)},
+      {"another time", keyed(1, {key}, false)},
+      {"another place", keyed(0, {moved}, false)},
+      {"another clock", keyed(0, {later}, false)},
+      {"two keys", keyed(0, {key, later}, false)},
+      {"a stated rest", keyed(0, {key}, true)},
+      {"a stated velocity", keyed(0, {moving}, true)},
+      {"a leg", accelerated({}, {{1, {0, 0, 1}}})},
+      {"a longer leg", accelerated({}, {{2, {0, 0, 1}}})},
+      {"another acceleration", accelerated({}, {{1, {0, 0, 2}}})},
+      {"two legs", accelerated({}, {{1, {0, 0, 1}}, {1, {0, 0, 1}}})},
+      {"another start", accelerated(start, {{1, {0, 0, 1}}})},
+  });
+}
+
+TEST(Canonical, ChangesWithTheCamerasAims) {
+  const auto aimed = [](const Aim& aim) { return [=](Scene& s) { s.camera.aim = aim; }; };
+  const auto keyed = [](const std::vector<ViewKey>& keys) {
+    return [=](Scene& s) { s.camera.view_keys = keys; };
+  };
+  const Worldline there{{0, {1, 0, 0}}, {}},
+      moving{{0, {1, 0, 0}}, Velocity::from_beta({0, 1e-9, 0})};
+  expect_all_different({
+      {"track", aimed(AimTrack{there, ""})},
+      {"track of what moves", aimed(AimTrack{moving, ""})},
+      {"a key", keyed({{0, AimPoint{}, 1}})},
+      {"a key later", keyed({{1, AimPoint{}, 1}})},
+      {"a narrower key", keyed({{0, AimPoint{}, 0.5}})},
+      {"a key that looks elsewhere", keyed({{0, AimPoint{{0, 1, 0}}, 1}})},
+      {"a key that tracks", keyed({{0, AimTrack{there, ""}, 1}})},
+      {"two keys", keyed({{0, AimPoint{}, 1}, {1, AimPoint{}, 1}})},
   });
 }
 

@@ -80,7 +80,7 @@ struct FilmExtent {
 };
 
 FilmExtent extent_on_film(const Scene& scene, const Camera& camera, double proper_time) {
-  EXPECT_EQ(camera.worldline.velocity, Velocity());
+  EXPECT_EQ(std::get<Worldline>(camera.motion).velocity, Velocity());
   const CameraPose pose = pose_at(camera, proper_time);
   const long double half_height = std::tan(0.5L * camera.vertical_fov);
   const long double half_width = half_height * scene.render.width / scene.render.height;

@@ -94,7 +94,7 @@ TEST(BoostedPicture, IsTheSame) {
   const Scene scene = load();
   const Picture picture = first_picture(scene);
   for (const Velocity& new_world :
-       {scene.camera.worldline.velocity, Velocity::from_beta({0.6, 0, 0}),
+       {std::get<Worldline>(scene.camera.motion).velocity, Velocity::from_beta({0.6, 0, 0}),
         Velocity::from_beta({0, 0.9, 0}), Velocity::from_beta({-0.5, 0.7, 0.2}),
         Velocity::from_gamma(10, {1, 2, -2})}) {
     const Vec3 beta = new_world.beta();

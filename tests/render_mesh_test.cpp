@@ -42,7 +42,7 @@ Scene square_scene(const Mat4& placement, int copies = 0, bool other_mesh = fals
   for (int i = 0; i < copies; ++i) {
     add(other_mesh ? 1 : 0, glm::translate(Mat4(1), Vec3(0, 0, 50 + i)));
   }
-  scene.camera.worldline.reference.x = {0, 0, 2};
+  std::get<Worldline>(scene.camera.motion).reference.x = {0, 0, 2};
   scene.camera.vertical_fov = 2 * std::atan(0.5) * 0.98;
   scene.render.width = scene.render.height = 40;
   scene.render.samples = 1;
@@ -129,7 +129,7 @@ TEST(FlatFaces, HaveNoHoles) {
         Worldline& line = scene.objects[0].worldline;
         line.velocity = Velocity::from_beta(beta);
         line.reference = {-2, offset};
-        scene.camera.worldline.reference.x = offset + Vec3(0, 0, 2);
+        std::get<Worldline>(scene.camera.motion).reference.x = offset + Vec3(0, 0, 2);
         EXPECT_EQ(mean_alpha(scene), 1) << offset.x << ' ' << degrees << ' ' << beta.z;
       }
     }
@@ -148,7 +148,7 @@ Scene ball_scene(int copies, double degrees, double gamma, bool within) {
   const Velocity velocity = Velocity::from_gamma(gamma, {0, 0, 1});
   for (Object& object : scene.objects) object.worldline.velocity = velocity;
   const AnchoredFrame<in::Rest> rest = scene.objects[0].worldline.rest_frame();
-  scene.camera.worldline.reference = rest.to_world({0, Vec3(0, 0, within ? 0 : 3)});
+  std::get<Worldline>(scene.camera.motion).reference = rest.to_world({0, Vec3(0, 0, within ? 0 : 3)});
   scene.camera.up = {0.1, 0.9, 0};
   scene.camera.vertical_fov = (within ? 1.8 : 0.3) / (gamma + velocity.gamma_beta().z);
   // No multiple of four: packets of 4 x 4 pixels see both sides of the middle.

@@ -87,10 +87,6 @@ TEST_F(BadScene, WhatThisVersionDoesNotDo) {
     return "\"" + word + "\" is not supported by this version of restframe";
   };
   check({
-      {in_camera("track = \"a\""), {"3:1: " + none("track")}},
-      {in_camera("on = \"a\""), {"3:1: " + none("on")}},
-      {in_camera("[[camera.key]]\ntime = 0"), {"3:10: " + none("key")}},
-      {in_camera("[[camera.leg]]\nduration = 0"), {"3:10: " + none("leg")}},
       {in_section("render", "doppler = true"), {"2:1: " + none("doppler")}},
       {in_section("output", "split = true"), {"2:1: " + none("split")}},
       {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},

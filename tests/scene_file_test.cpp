@@ -81,9 +81,9 @@ scale = 4.0
   EXPECT_THAT(warnings, IsEmpty());
   EXPECT_EQ(scene.light_speed, 2);
   EXPECT_TRUE(scene.camera_given);
-  expect_near(scene.camera.worldline.reference.x, Vec3(0.15, 0, 2));
-  EXPECT_EQ(scene.camera.worldline.reference.t, 1.5);
-  expect_near(scene.camera.worldline.velocity.gamma_beta(), Vec3(0, 0, 0.75));
+  expect_near(std::get<Worldline>(scene.camera.motion).reference.x, Vec3(0.15, 0, 2));
+  EXPECT_EQ(std::get<Worldline>(scene.camera.motion).reference.t, 1.5);
+  expect_near(std::get<Worldline>(scene.camera.motion).velocity.gamma_beta(), Vec3(0, 0, 0.75));
   expect_near(std::get<AimPoint>(scene.camera.aim).point, Vec3(0, 1, 0));
   expect_near(scene.camera.up, Vec3(0, 1, 0));
   EXPECT_NEAR(scene.camera.vertical_fov, std::numbers::pi / 2, 1e-15);

@@ -121,15 +121,89 @@ TEST(Validate, Camera) {
   };
   one([](Camera& c) { c.vertical_fov = 0; }, "fov is 0");
   one([](Camera& c) { c.vertical_fov = 3.2; }, "below 180");
-  one([](Camera& c) { c.worldline.reference.t = inf; }, "position and time");
-  one([](Camera& c) { c.worldline.velocity = Velocity::from_beta({0, 0, 1}); }, "|velocity|");
-  one([](Camera& c) { c.worldline.velocity = Velocity::from_beta({0, 0, 2}); }, "|velocity|");
+  one([](Camera& c) { std::get<Worldline>(c.motion).reference.t = inf; }, "position and time");
+  one(
+      [](Camera& c) {
+        std::get<Worldline>(c.motion).velocity = Velocity::from_beta({0, 0, 1});
+      },
+      "|velocity|");
+  one(
+      [](Camera& c) {
+        std::get<Worldline>(c.motion).velocity = Velocity::from_beta({0, 0, 2});
+      },
+      "|velocity|");
   one([](Camera& c) { c.aim = AimDirection{{0, 1, 0}}; }, "along up");
   one([](Camera& c) { c.aim = AimDirection{{0, 0, 0}}; }, "direction");
   one([](Camera& c) { c.aim = AimPoint{{0, inf, 0}}; }, "look_at");
   EXPECT_THAT(faults([](Scene& s) { s.camera_given = false, s.camera.vertical_fov = 0; }),
               IsEmpty())
       << "a camera that is not given is not used";
+}
+
+TEST(Validate, CameraMotion) {
+  const auto one = [](const CameraMotion& motion, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { s.camera.motion = motion; }), ElementsAre(HasSubstr(words)));
+  };
+  const auto path = [](const std::vector<PathKey>& keys) { return KeyedPath(0, keys, false); };
+  EXPECT_THAT(faults([&](Scene& s) { s.camera.motion = path({{0, Vec3(0), {}}}); }), IsEmpty());
+  one(path({}), "at least one key");
+  one(path({{1, Vec3(0), {}}, {0, Vec3(0), {}}}), "must be finite and rise");
+  one(path({{0, {0, inf, 0}, {}}}), "key 0: position and time");
+  one(path({{0, Vec3(0), {}}, {1e-9, {1, 0, 0}, {}}, {2, {1, 0, 0}, {}}}),
+      "key 0: gamma is 999999999");
+  one(KeyedPath(0, {{0, Vec3(0), Velocity::from_gamma(1e9, {1, 0, 0})}}, true), "key 0: gamma is");
+  one(KeyedPath(inf, {{0, Vec3(0), {}}}, false), "key 0: position and time");
+
+  const auto legs = [](const std::vector<AccelerationLeg>& all) {
+    return AcceleratedPath(Worldline{}, all);
+  };
+  EXPECT_THAT(faults([&](Scene& s) { s.camera.motion = legs({{1, {1, 0, 0}}}); }), IsEmpty());
+  EXPECT_THAT(faults([&](Scene& s) { s.camera.motion = legs({}); }), IsEmpty());
+  one(legs({{0, {1, 0, 0}}}), "leg 0: duration is 0, must be above 0");
+  one(legs({{1, {1, 0, 0}}, {20, {1, 0, 0}}}), "leg 1: gamma is");
+  one(legs({{1e101, {0, 0, 0}}}), "leg 0 must end within");
+  one(AcceleratedPath({{inf, {0, 0, 0}}, {}}, {}), "position and time");
+  EXPECT_THAT(faults([&](Scene& s) {
+                s.camera.motion = legs({{1, {inf, 0, 0}}});
+              }),
+              ::testing::Contains(HasSubstr("leg 0: acceleration must be finite")));
+  EXPECT_THAT(faults([&](Scene& s) {
+                s.camera.motion = Worldline{{0, {0, 0, 0}}, Velocity::from_gamma(1e8, {1, 0, 0})};
+                s.animation.start = 1e99;
+              }),
+              ElementsAre(HasSubstr("picture 0: camera: it is farther than 1e100")));
+}
+
+TEST(Validate, CameraViewKeys) {
+  const auto one = [](const std::vector<ViewKey>& keys, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) { s.camera.view_keys = keys; }),
+                ElementsAre(HasSubstr(words)));
+  };
+  const AimDirection ahead{{0, 0, -1}}, back{{0, 0, 1}};
+  EXPECT_THAT(faults([&](Scene& s) {
+                s.camera.view_keys = {{0, ahead, 1}, {1, ahead, 2}};
+              }),
+              IsEmpty());
+  one({{1, ahead, 1}, {1, ahead, 1}}, "view keys must be finite and rise");
+  one({{std::nan(""), ahead, 1}}, "view keys must be finite and rise");
+  one({{0, ahead, 1}, {1, ahead, 4}}, "view key 1: fov is");
+  one({{0, ahead, 1}, {1, AimPoint{}, 1}}, "view key 1 has another kind of aim");
+  one({{0, ahead, 1}, {1, back, 1}}, "view key 1 looks the opposite way");
+  one({{0, AimDirection{{0, 1, 0}}, 1}}, "view key 0: direction");
+  one({{0, AimPoint{{inf, 0, 0}}, 1}}, "view key 0: look_at");
+  one({{0, AimTrack{{{inf, {0, 0, 0}}, {}}, "a"}, 1}}, "view key 0: track: position and time");
+  EXPECT_THAT(faults([](Scene& s) {
+                s.camera.aim = AimTrack{{{0, {0, 0, 0}}, {}}, "thing"};
+              }),
+              ElementsAre(HasSubstr("picture 0: camera: it meets \"thing\"")));
+  const auto meets_at_half = [](Scene& s) {
+    s.camera.motion = Worldline{{0, {0, 0, 0.375}}, Velocity::from_gamma_beta({0, 0, -0.75})};
+    s.camera.aim = AimPoint{};
+    s.exposure.interval = 0.25;
+  };
+  EXPECT_THAT(faults(meets_at_half), IsEmpty());
+  EXPECT_THAT(faults([&](Scene& s) { meets_at_half(s), s.exposure.count = 3; }),
+              ElementsAre(HasSubstr("picture 0: camera: it is at its look_at point")));
 }
 
 TEST(Validate, Objects) {

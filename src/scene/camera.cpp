@@ -1,6 +1,8 @@
 #include "scene/camera.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "physics/doppler.h"
 #include "scene/error.h"
@@ -27,41 +29,80 @@ WaveVector<in::World> sight_of(const AimPoint& aim, const Event<in::World>& obse
   return looking_along<in::World>(glm::normalize(to_point));
 }
 
+// What rounding of world coordinates leaves open in coordinates of the frame.
+double rounding_of(const AnchoredFrame<in::Rest>& frame, const Event<in::World>& e) {
+  const Event<in::World>& anchor = frame.anchor;
+  const double coordinates =
+      std::abs(e.t) + std::abs(anchor.t) + glm::length(e.x) + glm::length(anchor.x);
+  return 4.0 * std::numeric_limits<double>::epsilon() * frame.from_world.velocity().gamma() *
+         coordinates;
+}
+
 // In the target's rest frame the light comes straight from where the target rests (paper, section
 // 4.4).
 WaveVector<in::World> sight_of(const AimTrack& aim, const Event<in::World>& observer) {
   const AnchoredFrame<in::Rest> rest = aim.target.rest_frame();
   const Vec3 to_target = -rest(observer).x;
-  if (!(glm::length(to_target) > 0.0)) {
+  if (!(glm::length(to_target) > rounding_of(rest, observer))) {
     throw InputError("camera: it meets \"" + aim.name + "\", which it tracks; track another point");
   }
   return rest.from_world.inverse()(looking_along<in::Rest>(glm::normalize(to_target)));
 }
 
+// What the camera looks at: a fraction of the way from one aim to another of the same kind.
+struct View {
+  const Aim& from;
+  const Aim& to;
+  double fraction = 0;
+  double vertical_fov = 1;
+};
+
+View view_at(const Camera& camera, double proper_time) {
+  const std::vector<ViewKey>& keys = camera.view_keys;
+  if (keys.empty()) return {camera.aim, camera.aim, 0, camera.vertical_fov};
+  const auto is_before = [](double time, const ViewKey& key) { return time < key.proper_time; };
+  const auto next = std::upper_bound(keys.begin(), keys.end(), proper_time, is_before);
+  const ViewKey& from = next == keys.begin() ? keys.front() : *(next - 1);
+  const ViewKey& to = next == keys.end() ? keys.back() : *next;
+  if (&from == &to) return {from.aim, from.aim, 0, from.vertical_fov};
+  const double fraction = (proper_time - from.proper_time) / (to.proper_time - from.proper_time);
+  return {from.aim, to.aim, fraction, glm::mix(from.vertical_fov, to.vertical_fov, fraction)};
+}
+
+WaveVector<in::World> sight_of(const View& view, const Event<in::World>& observer) {
+  if (const auto* track = std::get_if<AimTrack>(&view.from)) return sight_of(*track, observer);
+  const Vec3& begin = std::get<AimPoint>(view.from).point;
+  const Vec3& end = std::get<AimPoint>(view.to).point;
+  return sight_of(AimPoint{glm::mix(begin, end, view.fraction)}, observer);
+}
+
 }  // namespace
 
 CameraPose pose_at(const Camera& camera, double proper_time) {
+  const CameraState state = state_at(camera.motion, proper_time);
+  const View view = view_at(camera, proper_time);
+  const Boost<in::Camera, in::World> camera_from_world(state.velocity);
   CameraPose pose;
-  pose.vertical_fov = camera.vertical_fov;
-  pose.event = camera.worldline.at_proper_time(proper_time);
-  const Boost<in::Camera, in::World> camera_from_world(camera.worldline.velocity);
+  pose.vertical_fov = view.vertical_fov;
+  pose.event = state.event;
   pose.world_from_camera = camera_from_world.inverse();
-  if (const auto* aim = std::get_if<AimDirection>(&camera.aim)) {
-    pose.axes = axes_looking(glm::normalize(aim->direction), camera.up);
+  if (const auto* begin = std::get_if<AimDirection>(&view.from)) {
+    const Vec3& end = std::get<AimDirection>(view.to).direction;
+    const Vec3 direction = glm::mix(begin->direction, end, view.fraction);
+    pose.axes = axes_looking(glm::normalize(direction), camera.up);
     return pose;
   }
-  const auto* track = std::get_if<AimTrack>(&camera.aim);
-  const WaveVector<in::World> sight = track != nullptr
-                                          ? sight_of(*track, pose.event)
-                                          : sight_of(std::get<AimPoint>(camera.aim), pose.event);
+  const WaveVector<in::World> sight = sight_of(view, pose.event);
   pose.axes = axes_looking(sight_direction(camera_from_world(sight)),
                            aberrated(camera_from_world, glm::normalize(camera.up)));
   return pose;
 }
 
 bool is_steady(const Camera& camera) {
+  const auto* uniform = std::get_if<Worldline>(&camera.motion);
+  if (!uniform || !camera.view_keys.empty()) return false;
   if (std::holds_alternative<AimDirection>(camera.aim)) return true;
-  const bool rests = camera.worldline.velocity.gamma_beta() == Vec3(0);
+  const bool rests = uniform->velocity == Velocity();
   return rests && std::holds_alternative<AimPoint>(camera.aim);
 }
 

@@ -2,8 +2,10 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "physics/worldline.h"
+#include "scene/camera_motion.h"
 
 namespace restframe {
 
@@ -23,10 +25,21 @@ struct AimTrack {
 };
 using Aim = std::variant<AimDirection, AimPoint, AimTrack>;
 
-// A perspective camera in uniform motion. Its clock shows 0 at the worldline's reference.
-struct Camera {
-  Worldline worldline;
+// What the camera looks at when its clock shows `proper_time`.
+struct ViewKey {
+  double proper_time = 0;
   Aim aim;
+  double vertical_fov = 1;  // radians
+};
+
+// A perspective camera. In uniform motion, its clock shows 0 at the worldline's reference.
+struct Camera {
+  CameraMotion motion;
+  Aim aim;
+  // In place of aim and vertical_fov, if there are any: in rising time, of one kind of aim. Between
+  // two keys the field of view, the look_at point or the direction goes straight from one to the
+  // other; a track is that of the key before. Before the first and after the last, theirs hold.
+  std::vector<ViewKey> view_keys;
   Vec3 up{0, 1, 0};         // in the camera's axes with a direction; else the world's, aberrated
   double vertical_fov = 1;  // radians
   double aperture = 0;      // radius of the lens, light-seconds; 0: a pinhole
@@ -42,7 +55,7 @@ struct CameraPose {
   double vertical_fov = 1;  // radians
 };
 
-// Throws InputError where the aim leaves the orientation open: the camera is at its look_at point,
+// Exact for any time. Throws InputError where the aim leaves the orientation open: the camera is at its look_at point,
 // or it looks along `up`.
 CameraPose pose_at(const Camera& camera, double proper_time);
 

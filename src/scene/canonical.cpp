@@ -4,27 +4,12 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include <iterator>
 #include <span>
+
+#include "scene/canonical_listing.h"
 
 namespace restframe {
 namespace {
-
-class Listing {
- public:
-  void add(const std::string& key, double value) { line(key, fmt::format("{:.17g}", value)); }
-  void add(const std::string& key, const std::string& value) { line(key, value); }
-  void add(const std::string& key, const Vec3& v) {
-    line(key, fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z));
-  }
-  std::string text() && { return std::move(text_); }
-
- private:
-  void line(const std::string& key, const std::string& value) {
-    fmt::format_to(std::back_inserter(text_), "{} = {}\n", key, value);
-  }
-  std::string text_;
-};
 
 // XXH3 over plain values.
 class Digest {
@@ -59,12 +44,6 @@ void add_meshes(Listing& list, const std::vector<Mesh>& meshes) {
     }
   }
   list.add("meshes", fmt::format("{} {}", meshes.size(), digest.hex()));
-}
-
-void add_worldline(Listing& list, const std::string& key, const Worldline& worldline) {
-  list.add(key + ".position", worldline.reference.x);
-  list.add(key + ".time", worldline.reference.t);
-  list.add(key + ".gamma_beta", worldline.velocity.gamma_beta());
 }
 
 std::string text_of(const std::optional<double>& period) {
@@ -162,22 +141,6 @@ void add_light(Listing& list, const Light& light, const std::string& key) {
   }
   add_color(list, key + ".color", light.color);
   add_number(list, key + ".intensity", light.intensity);
-}
-
-void add_camera(Listing& list, const Camera& camera) {
-  add_worldline(list, "camera", camera.worldline);
-  if (const auto* direction = std::get_if<AimDirection>(&camera.aim)) {
-    list.add("camera.direction", direction->direction);
-  } else if (const auto* point = std::get_if<AimPoint>(&camera.aim)) {
-    list.add("camera.look_at", point->point);
-  } else {
-    add_worldline(list, "camera.track", std::get<AimTrack>(camera.aim).target);
-  }
-  list.add("camera.up", camera.up);
-  list.add("camera.fov", camera.vertical_fov);
-  list.add("camera.aperture", camera.aperture);
-  list.add("camera.focus", camera.focus);
-  list.add("camera.rolling", camera.rolling);
 }
 
 void add_exposure(Listing& list, const ExposureSettings& exposure) {

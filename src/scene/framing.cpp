@@ -162,7 +162,7 @@ Camera framing_camera(const Scene& scene, double proper_time) {
   const double half_height = std::tan(0.5 * default_fov);
   const View view = best_view(all, proper_time, half_height * aspect, half_height);
   Camera camera;
-  camera.worldline.reference = {view.time, view.position};
+  std::get<Worldline>(camera.motion).reference = {view.time, view.position};
   camera.aim = AimDirection{view.forward};
   camera.up = up_for(view.forward);
   const double widening = std::max(1.0, view.reach * margin);

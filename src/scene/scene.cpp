@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
-#include "scene/error.h"
 #include "scene/output_pattern.h"
 #include "scene/validate_data.h"
 
@@ -15,14 +13,6 @@ namespace restframe {
 namespace {
 
 using Faults = std::vector<std::string>;
-
-// Light-seconds and seconds beyond which squares and products could overflow.
-constexpr double farthest = 1e100;
-
-bool is_near(const Event<in::World>& e) {
-  return std::abs(e.t) <= farthest && std::abs(e.x.x) <= farthest && std::abs(e.x.y) <= farthest &&
-         std::abs(e.x.z) <= farthest;  // false for NaN
-}
 
 void check_positive(double value, const char* what, Faults& faults) {
   if (value > 0 && std::isfinite(value)) return;
@@ -32,49 +22,6 @@ void check_positive(double value, const char* what, Faults& faults) {
 void check_count(int value, int low, int high, const char* what, Faults& faults) {
   if (value >= low && value <= high) return;
   faults.push_back(fmt::format("{} is {}, must be from {} to {}", what, value, low, high));
-}
-
-void check_worldline(const Worldline& worldline, const std::string& name, Faults& faults) {
-  if (!is_near(worldline.reference)) {
-    faults.push_back(name + ": position and time must be finite and within 1e100 light-seconds");
-  }
-  if (!is_finite(worldline.velocity.gamma_beta()) || !std::isfinite(worldline.velocity.gamma())) {
-    faults.push_back(name + ": |velocity| must be below 1");
-  }
-}
-
-void check_camera(const Camera& camera, Faults& faults) {
-  check_worldline(camera.worldline, "camera", faults);
-  const double fov = camera.vertical_fov;
-  if (!(fov > 0 && fov < std::numbers::pi)) {
-    faults.push_back(
-        fmt::format("camera: fov is {}, must be above 0 and below 180", glm::degrees(fov)));
-  }
-  if (!is_finite(camera.up) || !(glm::length(camera.up) > 0)) {
-    faults.push_back("camera: up must be finite and of a length above 0");
-  }
-  if (const auto* aim = std::get_if<AimDirection>(&camera.aim)) {
-    const double sine =
-        glm::length(glm::cross(glm::normalize(aim->direction), glm::normalize(camera.up)));
-    if (!(sine > 1e-9)) {
-      faults.push_back("camera: direction must be finite, of length 1, and not along up");
-    }
-  } else if (const auto* point = std::get_if<AimPoint>(&camera.aim);
-             point != nullptr && !is_finite(point->point)) {
-    faults.push_back("camera: look_at must be finite");
-  }
-}
-
-// A moving camera may pass the point that it looks at.
-void check_poses(const Scene& scene, Faults& faults) {
-  for (int picture = 0; picture < scene.animation.pictures; ++picture) {
-    try {
-      pose_at(scene.camera, scene.animation.start + picture / scene.animation.rate);
-    } catch (const InputError& error) {
-      faults.push_back(fmt::format("picture {}: {}", picture, error.what()));
-      return;
-    }
-  }
 }
 
 void check_settings(const Scene& scene, Faults& faults) {
@@ -138,7 +85,7 @@ void check_objects(const Scene& scene, Faults& faults) {
   for (const Object& object : scene.objects) {
     const std::string name = fmt::format("object \"{}\"", object.name);
     if (!names.insert(object.name).second) faults.push_back("two objects are " + name);
-    check_worldline(object.worldline, name, faults);
+    validate_worldline(object.worldline, name, faults);
     if (!std::isfinite(object.clock)) faults.push_back(name + ": clock must be finite");
     check_parts(scene, object, name, faults);
     for (const int material : object.materials) {
@@ -154,7 +101,7 @@ void check_lights(const Scene& scene, Faults& faults) {
   for (const Light& light : scene.lights) {
     const std::string name = fmt::format("light \"{}\"", light.name);
     if (!names.insert(light.name).second) faults.push_back("two lights are " + name);
-    check_worldline(light.worldline, name, faults);
+    validate_worldline(light.worldline, name, faults);
     validate_light(scene, light, name, faults);
   }
 }
@@ -173,18 +120,28 @@ Worldline at_rest_on(const Object& object, const Vec3& offset, double clock) {
           object.worldline.velocity};
 }
 
+// Now, a length along u = gamma beta is gamma times shorter: x - u (u.x) / (gamma (gamma + 1)).
+Worldline at_rest_on(const Object& object, const Vec3& offset) {
+  const Velocity& velocity = object.worldline.velocity;
+  const Vec3& u = velocity.gamma_beta();
+  const double gamma = velocity.gamma();
+  const Vec3 contracted = offset - u * (glm::dot(u, offset) / (gamma * (gamma + 1.0)));
+  const Event<in::World>& reference = object.worldline.reference;
+  return {{reference.t, reference.x + contracted}, velocity};
+}
+
 std::vector<std::string> validate(const Scene& scene) {
   Faults faults;
   check_settings(scene, faults);
   validate_exposure(scene.exposure, faults);
-  if (scene.camera_given) check_camera(scene.camera, faults);
+  if (scene.camera_given) validate_camera(scene.camera, faults);
   if (scene.camera_given) validate_lens(scene.camera, faults);
   check_objects(scene, faults);
   check_lights(scene, faults);
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);
   validate_materials(scene, faults);
   validate_textures(scene, faults);
-  if (scene.camera_given && faults.empty()) check_poses(scene, faults);
+  if (scene.camera_given && faults.empty()) validate_poses(scene, faults);
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     for (const std::string& fault : temporal_faults(scene.functions[i])) {
       faults.push_back(fmt::format("temporal function {}: {}", i, fault));

@@ -69,6 +69,10 @@ double clock_at_reference(const Object& object);
 // from its origin. Its reference is where the object's clock shows `clock`.
 Worldline at_rest_on(const Object& object, const Vec3& offset, double clock);
 
+// Likewise; its reference is at the world time of the object's own, which loses no digits however
+// fast the object is.
+Worldline at_rest_on(const Object& object, const Vec3& offset);
+
 // Every fault that would keep the scene from being rendered, in words. An importer reports what it
 // can with positions; this is the last guard, and the only one for scenes built by a program.
 std::vector<std::string> validate(const Scene& scene);

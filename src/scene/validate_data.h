@@ -8,6 +8,9 @@
 
 namespace restframe {
 
+// Light-seconds and seconds beyond which squares and products could overflow.
+constexpr double farthest = 1e100;
+
 // The numbers that a property allows.
 struct Allowed {
   float low = 0, high = std::numeric_limits<float>::max();
@@ -21,7 +24,13 @@ void validate_color(const Scene& scene, const TemporalColor& color, const std::s
 
 // Parts of validate(). Each appends faults in words.
 void validate_exposure(const ExposureSettings& exposure, std::vector<std::string>& faults);
+// `name` names what moves so.
+void validate_worldline(const Worldline& worldline, const std::string& name,
+                        std::vector<std::string>& faults);
+void validate_camera(const Camera& camera, std::vector<std::string>& faults);
 void validate_lens(const Camera& camera, std::vector<std::string>& faults);
+// The camera at the time of each picture: for scenes without other faults.
+void validate_poses(const Scene& scene, std::vector<std::string>& faults);
 
 // Those that concern what objects are made of, and what lights them.
 void validate_mesh(const Mesh& mesh, std::vector<std::string>& faults);

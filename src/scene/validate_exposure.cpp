@@ -9,9 +9,6 @@ namespace {
 
 using Faults = std::vector<std::string>;
 
-// Seconds and light-seconds beyond which squares and products could overflow.
-constexpr double farthest = 1e100;
-
 void check_length(double value, const char* what, Faults& faults) {
   if (value >= 0 && value <= farthest) return;  // false for NaN
   faults.push_back(fmt::format("{} is {}, must be from 0 to 1e100", what, value));

@@ -26,7 +26,7 @@ Scene bench_scene(const Vec3& camera, const Velocity& velocity) {
   object.materials = {0, 1};
   for (const Part& part : lattice.parts) object.parts.push_back({part.mesh, part.asset_from_mesh});
   scene.objects.push_back(object);
-  scene.camera.worldline.reference.x = camera;
+  std::get<Worldline>(scene.camera.motion).reference.x = camera;
   scene.camera.vertical_fov = 60.0 * 3.14159265358979 / 180.0;
   scene.camera_given = true;
   scene.render.samples = 1;

@@ -54,10 +54,10 @@ Scene boosted(const Scene& scene, const Velocity& new_world) {
   Camera& camera = result.camera;
   AimDirection* aim = std::get_if<AimDirection>(&camera.aim);
   if (!aim) throw std::invalid_argument("boosted: the camera's aim must be a direction");
-  const Mat3 turn = wigner_rotation(camera.worldline.velocity, new_world);
+  const Mat3 turn = wigner_rotation(std::get<Worldline>(camera.motion).velocity, new_world);
   aim->direction = turn * aim->direction;
   camera.up = turn * camera.up;
-  camera.worldline = boosted(camera.worldline, new_world);
+  camera.motion = boosted(std::get<Worldline>(camera.motion), new_world);
   return result;
 }
 
