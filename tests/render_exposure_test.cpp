@@ -172,7 +172,7 @@ void expect_streak(const std::string& opening, const std::function<double(double
   for (int column = 0; column < picture.width; ++column) {
     const double seen = moments_of(picture, "A", column, column, 0, 23).sum;
     const double expected = expected_column(column + 0.5 - 50, openness);
-    EXPECT_NEAR(seen, expected, 0.02 + 0.04 * expected) << column;
+    EXPECT_NEAR(seen, expected, 0.04 + 0.04 * expected) << column;
   }
   const double area = std::numbers::pi * 25;
   EXPECT_NEAR(moments_of(picture, "A").sum, area, 0.01 * area);

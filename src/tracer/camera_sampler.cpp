@@ -66,11 +66,6 @@ void CameraSampler::place_on_film(const PixelLanes& pixels, int index, CameraSam
 }
 
 void CameraSampler::place_on_lens(const Starts& starts, int index, CameraSample& sample) const {
-  if (!has_lens()) {
-    sample.lens_x.fill(0.0);
-    sample.lens_y.fill(0.0);
-    return;
-  }
   for (int i = 0; i < packet_size; ++i) {
     const double u = fraction(starts.lens_u[i] + index * (std::numbers::sqrt2 - 1.0));
     const double v = fraction(starts.lens_v[i] + index * (std::numbers::sqrt3 - 1.0));
@@ -106,8 +101,8 @@ void CameraSampler::take(const PixelLanes& pixels, const Starts& starts, int ind
   place_on_film(pixels, index, sample);
   if (is_instant() && !has_lens()) return;  // nobody asks for the rest
   place_in_time(starts, index, sample);
-  add_rolling(sample);
-  place_on_lens(starts, index, sample);
+  if (rolling_per_pixel_ > 0.0) add_rolling(sample);
+  if (has_lens()) place_on_lens(starts, index, sample);
 }
 
 void CameraSampler::take_center(const PixelLanes& pixels, CameraSample& sample) const {

@@ -17,7 +17,7 @@ struct PixelLanes {
 struct CameraSample {
   Lanes<double> film_x, film_y;  // pixels
   Lanes<double> after_opening;   // seconds of the camera's time since its exposure opened
-  Lanes<double> lens_x, lens_y;  // right and up from the lens's centre; light-seconds
+  Lanes<double> lens_x, lens_y;  // right and up from the lens's centre, if any; light-seconds
 };
 
 // Spreads the samples of each pixel over film, shutter and lens.
