@@ -41,10 +41,16 @@ struct Arrival {
   Vec3f direction{0};
 };
 
+// Most lights and surfaces rest in the world: that costs nothing.
+template <class To, class From>
+WaveVector<To> boosted(const Boost<To, From>& to_from, const WaveVector<From>& k) {
+  return to_from.is_identity() ? WaveVector<To>{k.t, k.x} : to_from(k);
+}
+
 Arrival arrival(const LightPlace& place, const LitEvent& lit, const Vec3& towards_light) {
   const WaveVector<in::World> k =
-      place.frame.from_world.inverse()(looking_along<in::Light>(towards_light));
-  const WaveVector<in::Rest> at_surface = lit.rest_from_world(k);
+      boosted(place.world_from_light, looking_along<in::LightRest>(towards_light));
+  const WaveVector<in::Rest> at_surface = boosted(lit.rest_from_world, k);
   return {k, -at_surface.t, Vec3f(sight_direction(at_surface))};
 }
 
@@ -60,7 +66,7 @@ Incident with_frequency(const Arrival& arrival, double omega, double& doppler) {
 
 std::optional<Incident> from_place(const LightPlace& place, const LitEvent& lit, double light_speed,
                                    bool beaming, TemporalEvaluator& evaluator) {
-  const Event<in::Light> at = place.frame(lit.event);
+  const Event<in::LightRest> at = place.frame(lit.event);
   const double distance = glm::length(at.x);
   if (!(distance > 0.0)) return std::nullopt;
   const Vec3 outwards = at.x / distance;
@@ -84,7 +90,7 @@ std::optional<Incident> from_place(const LightPlace& place, const LitEvent& lit,
 // distance has grown by D, before the emitter's factor.
 std::optional<Incident> from_sun(const LightPlace& place, const LitEvent& lit, bool beaming,
                                  TemporalEvaluator& evaluator) {
-  const Event<in::Light> at = place.frame(lit.event);
+  const Event<in::LightRest> at = place.frame(lit.event);
   const Vec3& direction = place.light->direction;
   const double clock = at.t - glm::dot(direction, at.x) + place.clock_at_anchor;
   const Vec3f irradiance = emitted(*place.light, clock, evaluator);
@@ -106,7 +112,8 @@ std::vector<LightPlace> light_places(const Scene& scene) {
     const Worldline& line = light.worldline;
     LightPlace place;
     place.light = &light;
-    place.frame = {line.reference, Boost<in::Light, in::World>(line.velocity)};
+    place.frame = {line.reference, Boost<in::LightRest, in::World>(line.velocity)};
+    place.world_from_light = place.frame.from_world.inverse();
     place.clock_at_anchor = light.frame_clock
                                 ? place.frame.from_world(line.reference - Event<in::World>{}).t
                                 : light.clock;

@@ -20,7 +20,8 @@ inline float emitter_factor(bool beaming, double doppler) {
 // A light with its coordinates: the rest frame around its reference event.
 struct LightPlace {
   const Light* light = nullptr;
-  AnchoredFrame<in::Light> frame;
+  AnchoredFrame<in::LightRest> frame;
+  Boost<in::World, in::LightRest> world_from_light;
   double clock_at_anchor = 0;
 };
 std::vector<LightPlace> light_places(const Scene& scene);
