@@ -94,8 +94,8 @@ class RestFrame {
   void set_origins(const EventLanes<in::World>& origin, LocalRays& local) const;
   LocalRays localised(const RayPacket& rays) const;
   LocalRays localised(const MediumRayPacket& rays) const;
-  void find_hits(LocalRays& local, int own_index, HitPacket& hits) const;
-  unsigned context_flags(const LocalRays& local) const;
+  void find_hits(LocalRays& local, bool coherent, int own_index, HitPacket& hits) const;
+  unsigned context_flags(const LocalRays& local, bool coherent) const;
   double clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const;
 
   AnchoredFrame<in::Rest> coordinates_;

@@ -193,12 +193,15 @@ LocalRays RestFrame::localised(const MediumRayPacket& rays) const {
   return local;
 }
 
-unsigned RestFrame::context_flags(const LocalRays& local) const {
-  return octants_hold_ && share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+// Embree's coherent traversal is for rays of the camera only: of rays that begin far apart, its
+// rtcOccluded16 did not come back.
+unsigned RestFrame::context_flags(const LocalRays& local, bool coherent) const {
+  return coherent && octants_hold_ && share_an_octant(local)
+             ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+             : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 }
 
-void RestFrame::find_hits(LocalRays& local, int own_index, HitPacket& hits) const {
+void RestFrame::find_hits(LocalRays& local, bool coherent, int own_index, HitPacket& hits) const {
   RTCRayHit16 query;
   narrow(traversal_scale_, local, query.ray);
 #pragma GCC ivdep
@@ -208,7 +211,7 @@ void RestFrame::find_hits(LocalRays& local, int own_index, HitPacket& hits) cons
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local));
+  context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local, coherent));
   rtcIntersect16(&local.active[0], traversed_, &context, &query);
   keep_hits(local, query, own_index, hits);
 }
@@ -216,13 +219,13 @@ void RestFrame::find_hits(LocalRays& local, int own_index, HitPacket& hits) cons
 void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
   clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
-  if (any_active(local.active)) find_hits(local, own_index, hits);
+  if (any_active(local.active)) find_hits(local, rays.coherent, own_index, hits);
 }
 
 void RestFrame::intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
   clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
-  if (any_active(local.active)) find_hits(local, own_index, hits);
+  if (any_active(local.active)) find_hits(local, false, own_index, hits);
 }
 
 void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,

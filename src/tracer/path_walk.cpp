@@ -223,6 +223,7 @@ void PathWalk::depart(int lane, const Vec3f& direction) {
     rays_.k.set(lane, world_from_rest(WaveVector<in::Rest>{-state.omega, x}));
     rays_.s_min[lane] = s_min;
     rays_.active[lane] = -1;
+    rays_.coherent = false;
     return;
   }
   const double index = static_cast<double>(state.media.ior());
