@@ -4,8 +4,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scenes/program.sh
 
-scene=scenes/lattice_approach/scene.toml
-pictures=out/lattice_approach
+scene=scenes/fig12_lattice_approach/scene.toml
+pictures=out/fig12_lattice_approach
 finished=$pictures/.finished # newer than the program and the scene: nothing is left to do
 
 render() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Renders every scene, or those named, 640 pixels wide, and writes how long each takes to
 # scenes/gallery.csv:
-#     scenes/gallery.sh [ring engine ...]
+#     scenes/gallery.sh [fig08_ring engine ...]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scenes/program.sh
