@@ -31,7 +31,8 @@ float spot_factor(const Light& light, double clock, const Vec3& outwards) {
 }
 
 Vec3f emitted(const Light& light, double clock, TemporalEvaluator& evaluator) {
-  return evaluator(light.color, clock) * evaluator(light.intensity, clock);
+  // Formulas may ask for less than nothing.
+  return glm::max(evaluator(light.color, clock) * evaluator(light.intensity, clock), Vec3f(0));
 }
 
 // A ray of unit frequency in the light's frame, as the surface has it.
