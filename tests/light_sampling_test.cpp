@@ -225,8 +225,8 @@ TEST(Sun, IsTheLimitOfAFarPointLight) {
       Lit point = sun;
       point.light().kind = LightKind::point;
       // In the sun's rest frame: as far back, and as long before, so that the wavefronts agree.
-      const AnchoredFrame<in::Light> frame{sun.light().worldline.reference,
-                                           Boost<in::Light, in::World>(of_light)};
+      const AnchoredFrame<in::LightRest> frame{sun.light().worldline.reference,
+                                               Boost<in::LightRest, in::World>(of_light)};
       point.light().worldline.reference = frame.to_world({-far, -far * direction});
       point.scene.functions = {FormulaFunction{{"9e14 * (2 + sin(t))"}, {}, {}}};
       const auto from_sun = sun.incident(true), from_point = point.incident(true);
