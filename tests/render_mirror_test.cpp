@@ -15,9 +15,9 @@ namespace {
 using reference::Long3;
 using reference::Long4;
 
-constexpr double kRadius = 0.05;
+constexpr double kRadius = 0.12;
 const Vec3 kCamera(0, 0, 4), kLamp(0.9, -0.6, 6);
-constexpr int kSize = 160;
+constexpr int kSize = 80;
 
 // What the camera sees in the mirror z = beta t when its clock shows `time`.
 struct Reflection {
@@ -49,7 +49,7 @@ Reflection reflection(double beta, double time) {
 // The lamp's light: its clock plus 30 in red, 1 in green.
 std::string scene_text(double beta, const reference::ObserverCamera& camera,
                        const std::string& mirror) {
-  return camera_text(camera, "samples = 64\nbeaming = true\ndepth = 1") +
+  return camera_text(camera, "samples = 32\nbeaming = true\ndepth = 1") +
          fmt::format(R"(
 [animation]
 rate = 2
@@ -129,8 +129,8 @@ void expect_reflection(double beta, const AssetFile& mirror) {
     const auto& green = pictures[static_cast<std::size_t>(i)].channel("G");
     const double brightest = static_cast<double>(*std::max_element(green.begin(), green.end()));
     const double shift = static_cast<double>(expected.shift);
-    if (beta > -0.5) {  // else the image is smaller than a pixel
-      EXPECT_NEAR(brightest, std::pow(shift, 4), 1e-3 * std::pow(shift, 4));
+    if (std::count_if(green.begin(), green.end(), [](float g) { return g > 0; }) > 20) {
+      EXPECT_NEAR(brightest, std::pow(shift, 4), 0.02 * std::pow(shift, 4));
     }
   }
 }

@@ -18,7 +18,7 @@ using reference::Long4;
 constexpr double kBase = 0.8, kIntensity = 30;
 
 struct Motion {
-  Vec3 position;
+  Vec3 position{0, 0, 0};
   Vec3 velocity{0, 0, 0};
 
   Long3 gamma_beta() const { return reference::widened(reference::gamma_beta_from_beta(velocity)); }
@@ -161,26 +161,36 @@ TEST(Shadow, OfASphereAtRest) {
   expect_stage(stage, 100);
 }
 
+// Puts the sphere where light on its way to what the camera sees at a film point meets it, at
+// `height` above the floor.
+void shade(Stage& stage, const reference::FilmPoint& film, double height) {
+  const FloorEvent at = floor_event(stage, film);
+  const reference::SeenLight s = light_at(stage, at.event);
+  const long double way = height / s.sight.y;
+  const Long3 place = at.event.x + way * s.sight;
+  stage.sphere.position =
+      reference::narrowed(place - (at.event.t - way) * reference::widened(stage.sphere.velocity));
+}
+
 // The shadow lags: it is where the sphere was when the light passed it.
 TEST(Shadow, OfAFastSphereIsRetarded) {
   Stage stage = still_stage();
-  stage.sphere.velocity = {0.9, 0, 0};
-  stage.sphere.position = {6.5, 1.8, 0.2};
-  expect_stage(stage, 100);
-  stage.sphere.velocity = {-0.7, 0.1, 0.4};
-  stage.sphere.position = {-4.5, 2.4, 2.5};
-  stage.beaming = true;
-  expect_stage(stage, 100);
+  for (const Vec3& velocity : {Vec3(0.9, 0, 0), Vec3(-0.7, 0.1, 0.4), Vec3(0, -0.6, 0.3)}) {
+    stage.sphere.velocity = velocity;
+    shade(stage, {40, 60}, 1.8);
+    expect_stage(stage, 100);
+    stage.beaming = !stage.beaming;
+  }
 }
 
 TEST(Shadow, OfAFastLight) {
   Stage stage = still_stage();
   stage.sphere.velocity = {0.9, 0, 0};
-  stage.sphere.position = {6.5, 1.8, 0.2};
   stage.light.velocity = {-0.8, 0, 0.3};
-  stage.light.position = {-7, 4, 3};
+  stage.light.position = {-9, 4, 3};
   for (const bool beaming : {false, true}) {
     stage.beaming = beaming;
+    shade(stage, {45, 60}, 1.5);
     expect_stage(stage, 100);
   }
 }
@@ -188,13 +198,13 @@ TEST(Shadow, OfAFastLight) {
 TEST(Shadow, OnAMovingFloorSeenFromIt) {
   Stage stage = still_stage();
   stage.floor.velocity = stage.camera.velocity = {0.6, 0, 0.5};
-  stage.sphere.position = {4.5, 1.8, 2.5};
   stage.sphere.velocity = {0.8, 0, 0.3};
   stage.light.velocity = {0.3, 0, 0.5};
-  stage.light.position = {2, 4, 2.5};
+  stage.light.position = {-2, 4, 1};
   for (const bool beaming : {false, true}) {
     stage.beaming = beaming;
-    expect_stage(stage, 30);
+    shade(stage, {60, 40}, 1.5);
+    expect_stage(stage, 60);
   }
 }
 
@@ -210,6 +220,59 @@ TEST(Irradiance, IsClosedForm13AmongThreeVelocities) {
   for (const bool beaming : {false, true}) {
     stage.beaming = beaming;
     expect_stage(stage, 0);
+  }
+}
+
+// Tilted, so that floats round it: what lies near the middle of triangles 400 times as large.
+TEST(Shadow, IsNotCastByALargeTriangleOnItself) {
+  const Vec3 normal = glm::normalize(Vec3(0.3, 1, 0.2));
+  const Vec3 u = glm::normalize(glm::cross(normal, Vec3(1, 0, 0)));
+  const AssetFile slope = {"floor.obj",
+                           quad_obj({0, 0, 0}, 400.0 * u, 400.0 * glm::cross(normal, u))};
+  for (const char* opacity : {"1", "0.5"}) {
+    Stage stage = still_stage();
+    stage.camera.position = {0.5, 1.2, 1};
+    const std::string text = object_text("sphere = {}", {{400, 900, 300}}, "far") +
+                             fmt::format("[[material]]\nname = \"far\"\nopacity = {}\n", opacity);
+    const ExrPicture picture = path_pictures(stage_text(stage, text), {slope})[0];
+    for (int y = 0; y < stage.size; ++y) {
+      for (int x = 0; x < stage.size; ++x) {
+        const auto camera = stage.observer();
+        const Vec3 sight = reference::narrowed(direction_through(camera, {x + 0.5, y + 0.5}));
+        const double s = -glm::dot(camera.position, normal) / glm::dot(sight, normal);
+        const Vec3 way = stage.light.position - (camera.position + s * sight);
+        const double right = kBase / 3.14159265358979324 * kIntensity * glm::dot(way, normal) /
+                             std::pow(glm::length(way), 3);
+        ASSERT_NEAR(static_cast<double>(picture.at("G", x, y)), right, 1e-3 * right)
+            << x << ", " << y << " opacity " << opacity;
+      }
+    }
+  }
+}
+
+// Neither hides the light, whichever way shadows are looked for: with something in the scene that lets
+// light pass, they are followed surface by surface.
+TEST(Shadow, IsNotCastByTheSurfaceThatALightLiesOn) {
+  const AssetFile ceiling = {"ceiling.obj", quad_obj({0, 0, 0}, {50, 0, 3}, {-3, 0, 50})};
+  for (const Vec3& velocity : {Vec3(0, 0, 0), Vec3(0.7, 0, 0.3)}) {
+    for (const char* opacity : {"1", "0.5"}) {
+      Stage stage = still_stage();
+      stage.camera.position = {0.5, 3.5, 0.4};
+      stage.light.position = {0.3, 4, 0.1};
+      stage.light.velocity = velocity;
+      const std::string text =
+          object_text("asset = \"ceiling.obj\"", {{0, 4, 0}, velocity}, "floor") +
+          object_text("sphere = {}", {{400, 9, 300}}, "far") +
+          fmt::format("[[material]]\nname = \"far\"\nopacity = {}\n", opacity);
+      const ExrPicture picture = path_pictures(stage_text(stage, text), {kFloor, ceiling})[0];
+      for (int y = 0; y < stage.size; ++y) {
+        for (int x = 0; x < stage.size; ++x) {
+          const double right = lit_floor(stage, floor_event(stage, {x + 0.5, y + 0.5}));
+          ASSERT_NEAR(static_cast<double>(picture.at("G", x, y)), right, 1e-3 * right)
+              << x << ", " << y << " opacity " << opacity;
+        }
+      }
+    }
   }
 }
 

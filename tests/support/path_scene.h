@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -68,21 +69,21 @@ inline std::string box_obj(const Vec3& lower, const Vec3& upper) {
 
 // What the program does with a scene file that uses these assets; pictures lie beside it.
 struct PathRender {
-  TemporaryFolder folder;
+  std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
   RunResult result;
 
   ExrPicture picture(int index = 0) const {
-    return read_exr(folder.path() / fmt::format("picture.{:04}.exr", index));
+    return read_exr(folder->path() / fmt::format("picture.{:04}.exr", index));
   }
 };
 
 inline PathRender run_path(const std::string& scene_file, const std::vector<AssetFile>& assets,
                            const std::vector<std::string>& options = {}) {
   PathRender render;
-  for (const AssetFile& asset : assets) render.folder.write(asset.name, asset.content);
-  const auto scene = render.folder.write("scene.toml", scene_file);
+  for (const AssetFile& asset : assets) render.folder->write(asset.name, asset.content);
+  const auto scene = render.folder->write("scene.toml", scene_file);
   std::vector<std::string> arguments = {"render", scene.string(), "--output",
-                                        (render.folder.path() / "picture.####.exr").string(),
+                                        (render.folder->path() / "picture.####.exr").string(),
                                         "--quiet"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   render.result = run_program(RESTFRAME_PROGRAM, arguments, {.timeout = std::chrono::seconds(60)});
