@@ -36,9 +36,17 @@ Long3 nearest_ball(const Long3& at) {
 
 enum class Shade { lit, shadowed, unsure };
 
+// Whether a way from above crosses a rod, which is 0.0001 thick.
+bool meets_rod(const Long3& from, const Long3& way) {
+  const Long3 at = from + ((0.6L - from.y) / way.y) * way;
+  const auto near_line = [](long double v) { return std::abs(v - 4 * std::round(v / 4)) < 1e-3L; };
+  return near_line(at.x) || near_line(at.z);
+}
+
 // Whether a ball is between two points.
 Shade shade(const Long3& from, const Long3& to) {
   const Long3 way = to - from;
+  if (meets_rod(from, way)) return Shade::unsure;
   const long double way_length = reference::length(way);
   const Long3 direction = way / way_length;
   Shade result = Shade::lit;
@@ -74,7 +82,7 @@ void check(const ShownPixel& pixel, const Long4& seen, const MovingLamp& lamp, T
   const long double cosine = -reference::dot(way, pixel.normal) / distance;
   if (std::abs(cosine) < 0.05L) return;
 
-  const Shade in_way = shade(sent.place, seen.x + 0.001L * pixel.normal);
+  const Shade in_way = shade(sent.place, seen.x);
   if (in_way == Shade::unsure) return;
   const double base = pixel.object == plain ? 0.27 : 0.75;
   const double full =
