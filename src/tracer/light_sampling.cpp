@@ -21,12 +21,20 @@ Vec3 direction_at(const Light& light, double clock) {
          (1.0 - std::cos(angle)) * glm::dot(axis, d) * axis;
 }
 
+// 1 - cos, without the loss of digits of small angles: a laser's cone is as exact as a lamp's.
+double one_minus_cos(double angle) {
+  const double s = std::sin(0.5 * angle);
+  return 2.0 * s * s;
+}
+
 // As KHR_lights_punctual has it: smooth between the cones.
 float spot_factor(const Light& light, double clock, const Vec3& outwards) {
-  const double cosine = glm::dot(direction_at(light, clock), outwards);
-  const double cos_outer = std::cos(light.outer_cone);
-  const double width = std::max(1e-6, std::cos(light.inner_cone) - cos_outer);
-  const double inside = std::clamp((cosine - cos_outer) / width, 0.0, 1.0);
+  const Vec3 aside = direction_at(light, clock) - outwards;
+  const double outer = one_minus_cos(light.outer_cone);
+  const double within = outer - 0.5 * glm::dot(aside, aside);
+  const double width = outer - one_minus_cos(light.inner_cone);
+  if (within <= 0.0) return 0.0F;
+  const double inside = within < width ? within / width : 1.0;
   return static_cast<float>(inside * inside);
 }
 
