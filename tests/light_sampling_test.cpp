@@ -190,6 +190,29 @@ TEST(SpotLight, ConesAreThoseOfTheLightsRestFrame) {
   EXPECT_GT(dark, 100);
 }
 
+// A beam as narrow as a laser's is as bright in its middle as any, and falls off alike.
+TEST(SpotLight, MayBeNarrow) {
+  constexpr double inner = 1e-4, outer = 3e-4;
+  for (const double off : {0.0, 0.5e-4, 1.5e-4, 2.5e-4, 3.1e-4}) {
+    Lit lit = lit_by(LightKind::spot, Velocity::from_beta({0.3, 0.2, -0.6}));
+    const Long3 outwards = -1.0L * seen(lit).sight_at_light;
+    const Long3 across = normalized(cross(outwards, {0.3L, 0.5L, 0.8L}));
+    const long double turned = off;
+    lit.light().direction =
+        reference::narrowed(std::cos(turned) * outwards + std::sin(turned) * across);
+    lit.light().inner_cone = inner;
+    lit.light().outer_cone = outer;
+    const SeenLight s = seen(lit);
+    const long double r = s.delay * s.at_surface * kLightSpeed;
+    const double inside =
+        std::clamp((outer * outer - off * off) / (outer * outer - inner * inner), 0.0, 1.0);
+    const auto found = lit.incident();
+    ASSERT_EQ(found.has_value(), inside > 0) << off;
+    if (!found) continue;
+    EXPECT_NEAR(found->irradiance.x * static_cast<double>(r * r) / 5, inside * inside, 1e-4) << off;
+  }
+}
+
 // A beam that turns about z from x on is where its retarded clock has brought it.
 TEST(SpotLight, SweepsByItsRetardedClock) {
   over_motions(LightKind::spot, [](Lit& lit) {
