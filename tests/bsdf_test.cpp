@@ -51,7 +51,7 @@ Outcome sampled(const Bsdf& bsdf, int count) {
 
 // The same from scattered_fraction, summed over the hemisphere.
 Outcome integrated(const Bsdf& bsdf) {
-  constexpr int rings = 400, sectors = 800;
+  constexpr int rings = 250, sectors = 500;
   Outcome sum;
   for (int i = 0; i < rings; ++i) {
     const double theta = 0.5 * kPi * (i + 0.5) / rings;

@@ -129,9 +129,11 @@ double part_changed(const Picture& before, const Picture& after, double toleranc
 void expect_unchanged(const std::string& text, double tolerance, double most_changed) {
   const Scene scene = load(text);
   const Picture before = first_picture(scene);
-  for (const Vec3& beta : {Vec3(0.6, 0, 0), Vec3(-0.5, 0.6, 0.4)}) {
-    const Picture after = first_picture(boosted(scene, Velocity::from_beta(beta)));
-    EXPECT_LT(part_changed(before, after, tolerance), most_changed) << beta.x;
+  for (const Velocity& world :
+       {Velocity::from_beta({0.6, 0, 0}), Velocity::from_beta({-0.5, 0.6, 0.4}),
+        Velocity::from_gamma(30, {1, 2, -2})}) {
+    const Picture after = first_picture(boosted(scene, world));
+    EXPECT_LT(part_changed(before, after, tolerance), most_changed) << world.gamma();
   }
 }
 
