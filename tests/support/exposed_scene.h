@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "physics/vectors.h"
 #include "support/exr_reader.h"
 
 namespace restframe {
