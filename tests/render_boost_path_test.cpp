@@ -58,8 +58,7 @@ roughness = 0.5
 type = "point"
 position = [2, 4, 3]
 velocity = [0.5, -0.3, 0.6]
-intensity = {formula = "30 + 20 * sin(5 * t)"
-}
+intensity = {formula = "30 + 20 * sin(5 * t)"}
 [[light]]
 type = "spot"
 position = [-3, 3, 3]
@@ -101,8 +100,7 @@ material = "lamp"
 name = "lamp"
 unlit = true
 base_color = "black"
-emission = {formula = "0.5 + 0.5 * sin(4 * t)", from = "red", to = "blue"
-}
+emission = {formula = "0.5 + 0.5 * sin(4 * t)", from = "red", to = "blue"}
 [[light]]
 type = "environment"
 velocity = [0.4, 0.2, 0]

@@ -106,7 +106,7 @@ reference::ObserverCamera camera_for(double beta) {
   const Long3 first = reflection(beta, 0).sight, last = reflection(beta, 1).sight;
   const long double spread = angle_between(first, last);
   aim(camera, reference::narrowed(normalized(first + last)));
-  camera.vertical_fov = std::max(0.04, 2.0 * static_cast<double>(spread));
+  camera.vertical_fov = std::max(0.12, 3.0 * static_cast<double>(spread));
   return camera;
 }
 
