@@ -75,6 +75,14 @@ bool PathWalk::find_surfaces() {
   return true;
 }
 
+// Objects of one velocity may be in several rest frames, by their sizes.
+bool PathWalk::rests_together(int frame, int other) const {
+  const auto velocity = [&](int index) {
+    return stage_.frames.frame(index).coordinates().from_world.velocity();
+  };
+  return frame == other || velocity(frame) == velocity(other);
+}
+
 void PathWalk::step(int lane) {
   State& state = states_[lane];
   if (hits_.frame[lane] < 0) return miss(lane);
@@ -83,7 +91,7 @@ void PathWalk::step(int lane) {
   const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
   const double clock = clock_at(place, hits_, lane);
   const Vec4f texture = texel(met, met.material().base_color_texture);
-  if (!state.media.empty() && state.media.top().frame != hits_.frame[lane]) {
+  if (!state.media.empty() && !rests_together(state.media.top().frame, hits_.frame[lane])) {
     crossing_ = {state.media.top().object, surfaces_.object[lane]};
     in_medium_.active[lane] = 0;
     return;
