@@ -147,6 +147,18 @@ TEST(Scattering, SmoothGlassSplitsByFresnel) {
   }
 }
 
+// However little the surface as a whole reflects, no path through rough glass counts many times.
+TEST(Scattering, ThroughGlassWeighsNoMoreThanItsColour) {
+  for (const float eta : {1.01F, 1.5F, 1 / 1.01F, 1 / 1.5F}) {
+    for (const double theta : {0.0, 0.8, 1.5}) {
+      Bsdf glass = surface_seen_at(theta);
+      glass.transmission = 1;
+      glass.eta = eta;
+      EXPECT_LE(sampled(glass, 100000).largest_weight, 1.0001) << eta << ' ' << theta;
+    }
+  }
+}
+
 TEST(Scattering, NeverGivesMoreThanItGets) {
   for (const float roughness : {0.1F, 0.3F, 0.6F, 1.0F}) {
     for (double theta = 0; theta < 1.57; theta += 0.5) {

@@ -101,19 +101,20 @@ float reflectance_at(const Bsdf& b, const Vec3f& microfacet) {
 // The surface's reflection, or what passes it. Each is chosen as often as it matters, so weights stay
 // near the colour.
 std::optional<Scattered> scatter_dielectric(const Bsdf& b, float lobe, float u, float v) {
-  const bool before_thinner = b.eta < 1.0F;
   // Towards something thinner some microfacets reflect all and others hardly anything: there the one
-  // that is met decides, or light would be made or lost.
-  const Vec3f met = before_thinner ? visible_microfacet(b, u, v) : b.normal;
+  // that is met decides, or light would be made or lost. So it does in glass, where weights are then
+  // never above the colour.
+  const bool microfacet_decides = b.eta < 1.0F || b.transmission >= 1.0F;
+  const Vec3f met = microfacet_decides ? visible_microfacet(b, u, v) : b.normal;
   const float reflectance = reflectance_at(b, met);
   // A reflection that hardly ever happens would weigh too much when it does.
   constexpr float least_reflectance = 1e-6F;
   if (reflectance > least_reflectance && lobe < reflectance) {
-    const Vec3f microfacet = before_thinner ? met : visible_microfacet(b, u, v);
+    const Vec3f microfacet = microfacet_decides ? met : visible_microfacet(b, u, v);
     return reflect_off(b, microfacet, Vec3f(reflectance_at(b, microfacet) / reflectance));
   }
   if ((lobe - reflectance) / (1.0F - reflectance) < b.transmission) {
-    const Vec3f microfacet = before_thinner ? met : visible_microfacet(b, u, v);
+    const Vec3f microfacet = microfacet_decides ? met : visible_microfacet(b, u, v);
     const float passing = 1.0F - reflectance_at(b, microfacet);
     return transmit(b, microfacet, b.base * (passing / (1.0F - reflectance)));
   }
