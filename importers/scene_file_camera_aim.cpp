@@ -27,7 +27,7 @@ std::optional<Aim> read_track(TableReader& table, const SceneFile& file) {
   TableReader track(*inner, {table.report.faults, table.report.name + ": track"});
   if (!track.has("object")) track.report(inner->at, "object is missing");
   const Vec3 point = track.vector("point").value_or(Vec3(0));
-  const std::optional<Aim> aim = aim_at_object(track, "object", point, file);
+  std::optional<Aim> aim = aim_at_object(track, "object", point, file);
   track.finish();
   return aim;
 }
@@ -38,7 +38,7 @@ std::optional<Aim> read_aim(TableReader& table, const Vec3& up, const SceneFile&
   table.one_of({"look_at", "direction", "track"});
   const std::optional<Vec3> point = table.vector("look_at");
   const std::optional<Vec3> direction = read_direction(table, "direction");
-  const std::optional<Aim> track = read_track(table, file);
+  std::optional<Aim> track = read_track(table, file);
   if (direction && glm::length(glm::cross(*direction, up)) < 1e-9) {
     table.report(table.place("direction"),
                  "direction is along up, which leaves the orientation open");

@@ -33,7 +33,7 @@ void refuse_keys_of_others(TableReader& table, LightKind kind) {
   refuse("position", !is_environment, "a point, spot or sun");
   refuse("direction", is_directed(kind), "a spot or sun");
   refuse("cone", kind == LightKind::spot, "a spot");
-  refuse("sweep", is_directed(kind), "a spot or sun");
+  refuse("sweep", kind == LightKind::spot, "a spot");
 }
 
 void read_cone(TableReader& table, Light& light) {

@@ -31,6 +31,25 @@ TEST(FrameSet, ObjectsWithoutMeshesMakeNoRestFrame) {
   EXPECT_EQ(FrameSet(scene, 1).frames().size(), 1U);
 }
 
+Object sized(double size, const Vec3& position) {
+  Object object = object_of(0, position);
+  object.parts[0].object_from_mesh = glm::dmat4(glm::dmat3(size));
+  return object;
+}
+
+TEST(FrameSet, SizesThatFloatsDoNotSpanAreKeptApart) {
+  const auto count = [](const std::vector<Object>& objects) {
+    const Scene scene = scene_of({triangle()}, objects);
+    return FrameSet(scene, 1).frames().size();
+  };
+  const Object large = sized(1e8, Vec3(0)), small = sized(1, Vec3(0)), far = sized(1, Vec3(1e8));
+  EXPECT_EQ(count({sized(1e4, Vec3(0)), small, sized(1, Vec3(1e4))}), 1U);
+  EXPECT_EQ(count({large, small}), 2U);
+  EXPECT_EQ(count({small, large, small, sized(2, Vec3(10)), sized(1e8, Vec3(1e7))}), 2U);
+  EXPECT_EQ(count({large, small, far}), 3U);
+  EXPECT_EQ(count({small, far}), 2U);
+}
+
 TEST(FrameSet, ALonePartTraversesItsMeshesScene) {
   const Scene scene =
       scene_of({triangle()}, {object_of(0, Vec3(0)), object_of(0, Vec3(0), {0, 0, 0.5})});

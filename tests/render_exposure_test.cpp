@@ -89,7 +89,7 @@ void expect_combined(const std::string& combine, const Together& together, doubl
       covered += value > 0;
     }
   }
-  EXPECT_GT(covered, 2000);
+  EXPECT_GT(covered, 1000);
 }
 
 TEST(MultipleExposure, AddsLightAndCoversWhatIsLeft) {
@@ -172,7 +172,7 @@ void expect_streak(const std::string& opening, const std::function<double(double
   for (int column = 0; column < picture.width; ++column) {
     const double seen = moments_of(picture, "A", column, column, 0, 23).sum;
     const double expected = expected_column(column + 0.5 - 50, openness);
-    EXPECT_NEAR(seen, expected, 0.02 + 0.04 * expected) << column;
+    EXPECT_NEAR(seen, expected, 0.04 + 0.04 * expected) << column;
   }
   const double area = std::numbers::pi * 25;
   EXPECT_NEAR(moments_of(picture, "A").sum, area, 0.01 * area);
@@ -221,6 +221,21 @@ TEST(MotionBlur, OfSeveralExposuresIsSeveralStreaks) {
   EXPECT_NEAR(first.sum, second.sum, 1);
 }
 
+TEST(MotionBlur, LeavesWhatStandsStill) {
+  const auto scene = [](const char* exposure) {
+    const Film film{60, 40, 40};
+    return camera_of(film) + film.text(16, true) + exposure +
+           "[[object]]\nsphere = {fineness = 3}\nposition = [0.5, 0, -3]\n";
+  };
+  const ExrPicture still = rendered(RESTFRAME_PROGRAM, scene(""));
+  const ExrPicture blurred = rendered(RESTFRAME_PROGRAM, scene("[exposure]\nshutter = 0.5\n"));
+  for (const char* channel : {"R", "A"}) {
+    for (std::size_t i = 0; i < still.channel(channel).size(); ++i) {
+      ASSERT_NEAR(still.channel(channel)[i], blurred.channel(channel)[i], 1e-5) << channel;
+    }
+  }
+}
+
 // A camera that looks at a point straight ahead turns no more than one without a target, though it
 // is asked anew for each ray.
 TEST(MotionBlur, IsTheSameForACameraThatAims) {
@@ -242,7 +257,7 @@ TEST(MotionBlur, IsTheSameForACameraThatAims) {
     difference += std::abs(a - static_cast<double>(aiming.channel("R")[i]));
     light += a;
   }
-  EXPECT_GT(light, 50);
+  EXPECT_GT(light, 10);
   EXPECT_LT(difference, 1e-3 * light);
 }
 

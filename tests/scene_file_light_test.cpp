@@ -189,7 +189,8 @@ TEST_F(SceneFileLight, KeysOfOtherTypes) {
   expect_fault("type = \"point\"\ndirection = [1, 0, 0]\n",
                {"8:1: ", "direction goes with a spot or sun"});
   expect_fault("type = \"point\"\nsweep = {period = 1}\n",
-               {"8:1: ", "sweep goes with a spot or sun"});
+               {"8:1: ", "sweep goes with a spot, not"});
+  expect_fault("type = \"sun\"\nsweep = {period = 1}\n", {"8:1: ", "sweep goes with a spot, not"});
   expect_fault(
       "type = \"environment\"\nposition = [1, 0, 0]\n",
       {"8:1: ", "position goes with a point, spot or sun, not with type = \"environment\""});

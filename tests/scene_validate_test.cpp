@@ -268,7 +268,17 @@ TEST(Validate, Lights) {
     EXPECT_THAT(faults([&](Scene& s) { spoil(s.lights.emplace_back()); }),
                 ElementsAre(HasSubstr(words)));
   };
-  EXPECT_THAT(faults([](Scene& s) { s.lights.emplace_back().sweep = Sweep(); }), IsEmpty());
+  EXPECT_THAT(faults([](Scene& s) {
+                s.lights.emplace_back().kind = LightKind::spot;
+                s.lights[0].sweep = Sweep();
+              }),
+              IsEmpty());
+  one(
+      [](Light& l) {
+        l.kind = LightKind::sun;
+        l.sweep = Sweep();
+      },
+      "sweep goes with spots only");
   one([](Light& l) { l.worldline.reference.x.y = std::nan(""); }, "light \"\": position");
   one([](Light& l) { l.worldline.velocity = Velocity::from_beta({0.8, 0.8, 0}); }, "|velocity|");
   one([](Light& l) { l.clock = inf; }, "clock");
@@ -279,9 +289,24 @@ TEST(Validate, Lights) {
   one([](Light& l) { l.outer_cone = 1.6; }, "cone");
   one([](Light& l) { l.outer_cone = 0; }, "cone is [0, 0]");
   one([](Light& l) { l.outer_cone = std::nan(""); }, "cone");
-  one([](Light& l) { l.sweep = Sweep{{0, 0, 0}, 1}; }, "axis of sweep");
-  one([](Light& l) { l.sweep = Sweep{{0, 1, 0}, 0}; }, "period of sweep is 0");
-  one([](Light& l) { l.sweep = Sweep{{0, 1, 0}, inf}; }, "period of sweep is inf");
+  one(
+      [](Light& l) {
+        l.kind = LightKind::spot;
+        l.sweep = Sweep{{0, 0, 0}, 1};
+      },
+      "axis of sweep");
+  one(
+      [](Light& l) {
+        l.kind = LightKind::spot;
+        l.sweep = Sweep{{0, 1, 0}, 0};
+      },
+      "period of sweep is 0");
+  one(
+      [](Light& l) {
+        l.kind = LightKind::spot;
+        l.sweep = Sweep{{0, 1, 0}, inf};
+      },
+      "period of sweep is inf");
   one([](Light& l) { l.color.value.x = -1; }, "color is [-1, 1, 1]");
   one([](Light& l) { l.color.function = 1; }, "color refers to temporal function 1 of 1");
   one([](Light& l) { l.intensity.value = std::nanf(""); }, "intensity is nan");

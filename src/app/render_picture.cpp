@@ -116,7 +116,7 @@ void render_exposure(const Block<Tracer>& block, int exposure, int samples, bool
   for (int index = 0; index < samples; ++index) {
     id.sample = first + static_cast<std::uint32_t>(index);
     CameraSample sample;
-    sampler.take(id, block.pixels, starts, index, sample);
+    sampler.take(block.pixels, starts, index, sample);
     RadianceLanes radiance;
     if (with_data && id.sample == 0) {
       trace_and_store_data(block, sample, radiance, picture);

@@ -1,27 +1,9 @@
 #include "frames/frame_set.h"
 
-#include <algorithm>
+#include "frames/frame_groups.h"
 
 namespace restframe {
 namespace {
-
-std::vector<std::vector<int>> grouped_by_velocity(const Scene& scene) {
-  std::vector<std::vector<int>> groups;
-  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
-    const Object& object = scene.objects[static_cast<std::size_t>(i)];
-    if (object.parts.empty()) continue;
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const std::vector<int>& g) {
-      return scene.objects[static_cast<std::size_t>(g[0])].worldline.velocity ==
-             object.worldline.velocity;
-    });
-    if (same == groups.end()) {
-      groups.push_back({i});
-    } else {
-      same->push_back(i);
-    }
-  }
-  return groups;
-}
 
 std::vector<int> count_uses(const Scene& scene) {
   std::vector<int> uses(scene.meshes.size(), 0);
@@ -56,13 +38,13 @@ std::vector<bool> needs_own_scene(const Scene& scene, const std::vector<std::vec
 }  // namespace
 
 FrameSet::FrameSet(const Scene& scene, int threads) : device_(threads) {
-  const std::vector<std::vector<int>> groups = grouped_by_velocity(scene);
+  meshes_.reserve(scene.meshes.size());
+  for (const Mesh& mesh : scene.meshes) meshes_.push_back(traversable(mesh));
+  const std::vector<std::vector<int>> groups = frame_groups(scene, meshes_);
   const std::vector<int> uses = count_uses(scene);
   const std::vector<bool> own_scene = needs_own_scene(scene, groups, uses);
-  meshes_.reserve(scene.meshes.size());
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    meshes_.push_back(traversable(scene.meshes[i]));
-    if (own_scene[i]) build_scene(device_, meshes_.back());
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    if (own_scene[i]) build_scene(device_, meshes_[i]);
   }
   frames_.reserve(groups.size());
   for (const std::vector<int>& group : groups) {

@@ -8,7 +8,8 @@
 
 namespace restframe {
 
-// All objects of a scene, grouped by exactly equal velocity, and the queries across them.
+// All objects of a scene, grouped by exactly equal velocity (and by size, where sizes differ more
+// than floats hold), and the queries across them.
 class FrameSet {
  public:
   // `scene` must outlive the set. Throws OutputError if Embree fails.

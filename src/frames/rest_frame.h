@@ -9,6 +9,7 @@
 // are the mesh's. Else meshes placed once are baked into coordinates centred on the frame's bounds,
 // and meshes placed often are instances. The ray parameter s is the same number on all three sides.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -51,7 +52,8 @@ class RestFrame {
 
   void intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const;
 
-  // Sets the lanes of `blocked` (-1) whose ray meets this frame's objects before `s_max`.
+  // Sets the lanes of `blocked` (-1) whose ray meets this frame's objects before `s_max`, by more than
+  // floats can tell apart here.
   void find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
                     Lanes<std::int32_t>& blocked) const;
 
@@ -94,8 +96,11 @@ class RestFrame {
   void set_origins(const EventLanes<in::World>& origin, LocalRays& local) const;
   LocalRays localised(const RayPacket& rays) const;
   LocalRays localised(const MediumRayPacket& rays) const;
-  void find_hits(LocalRays& local, int own_index, HitPacket& hits) const;
-  unsigned context_flags(const LocalRays& local) const;
+  void find_hits(LocalRays& local, bool coherent, int own_index, HitPacket& hits) const;
+  unsigned context_flags(const LocalRays& local, bool coherent) const;
+  // Of a hit's triangle, in traversal coordinates.
+  std::array<Vec3, 3> corners(const HitPacket& hits, int lane) const;
+  double noise_at_end() const;
   double clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const;
 
   AnchoredFrame<in::Rest> coordinates_;

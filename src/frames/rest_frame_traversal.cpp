@@ -2,6 +2,7 @@
 // double, let Embree find the nearest triangle in float, and recompute where it was met in double.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "frames/rest_frame.h"
@@ -193,12 +194,15 @@ LocalRays RestFrame::localised(const MediumRayPacket& rays) const {
   return local;
 }
 
-unsigned RestFrame::context_flags(const LocalRays& local) const {
-  return octants_hold_ && share_an_octant(local) ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+// Embree's coherent traversal is for rays of the camera only: of rays that begin far apart, its
+// rtcOccluded16 did not come back.
+unsigned RestFrame::context_flags(const LocalRays& local, bool coherent) const {
+  return coherent && octants_hold_ && share_an_octant(local)
+             ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+             : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 }
 
-void RestFrame::find_hits(LocalRays& local, int own_index, HitPacket& hits) const {
+void RestFrame::find_hits(LocalRays& local, bool coherent, int own_index, HitPacket& hits) const {
   RTCRayHit16 query;
   narrow(traversal_scale_, local, query.ray);
 #pragma GCC ivdep
@@ -208,7 +212,7 @@ void RestFrame::find_hits(LocalRays& local, int own_index, HitPacket& hits) cons
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local));
+  context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local, coherent));
   rtcIntersect16(&local.active[0], traversed_, &context, &query);
   keep_hits(local, query, own_index, hits);
 }
@@ -216,22 +220,35 @@ void RestFrame::find_hits(LocalRays& local, int own_index, HitPacket& hits) cons
 void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
   clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
-  if (any_active(local.active)) find_hits(local, own_index, hits);
+  if (any_active(local.active)) find_hits(local, rays.coherent, own_index, hits);
 }
 
 void RestFrame::intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
   clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
-  if (any_active(local.active)) find_hits(local, own_index, hits);
+  if (any_active(local.active)) find_hits(local, false, own_index, hits);
+}
+
+// What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on a
+// surface is not behind it.
+double RestFrame::noise_at_end() const {
+  constexpr double float_noise = 32.0 * 0x1p-24;
+  const double reach = glm::length(bounds_.center()) + 0.5 * glm::length(bounds_.extent());
+  return float_noise * reach / traversal_scale_;
 }
 
 void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
                              Lanes<std::int32_t>& blocked) const {
   LocalRays local = localised(rays);
   Lanes<std::int32_t> open;
+  Lanes<double> s_end;
+  const double margin = noise_at_end();
 #pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) open[i] = blocked[i] == 0 ? rays.active[i] : 0;
-  clip_to_bounds(bounds_, rays.s_min, s_max, open, local);
+  for (int i = 0; i < packet_size; ++i) {
+    open[i] = blocked[i] == 0 ? rays.active[i] : 0;
+    s_end[i] = s_max[i] - margin * local.inverse_omega[i];
+  }
+  clip_to_bounds(bounds_, rays.s_min, s_end, open, local);
   if (!any_active(local.active)) return;
   RTCRay16 query;
   narrow(traversal_scale_, local, query);
@@ -245,14 +262,19 @@ void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
   }
 }
 
-void RestFrame::refine(HitPacket& hits, int lane) const {
+std::array<Vec3, 3> RestFrame::corners(const HitPacket& hits, int lane) const {
   const FramePart& part = parts_[hits.part[lane]];
   const Triangle& triangle = part.triangles[hits.triangle[lane]];
-  Vec3 corners[3];
-  for (int i = 0; i < 3; ++i) {
-    corners[i] = Vec3(part.positions[triangle[static_cast<std::size_t>(i)]]);
+  std::array<Vec3, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    corners[i] = Vec3(part.positions[triangle[i]]);
     if (part.instanced) corners[i] = Vec3(part.traversal_from_local * glm::dvec4(corners[i], 1.0));
   }
+  return corners;
+}
+
+void RestFrame::refine(HitPacket& hits, int lane) const {
+  const std::array<Vec3, 3> corners = this->corners(hits, lane);
   const Vec3 k = hits.k.at(lane);
   const Vec3 edge_u = corners[1] - corners[0];
   const Vec3 edge_v = corners[2] - corners[0];
@@ -278,13 +300,16 @@ void RestFrame::refine(HitPacket& hits, int lane) const {
   hits.s[lane] = s_near + glm::dot(point - origin, k) / glm::dot(k, k);
 }
 
-// In s: an origin on the surface is rounded by a few ulps across it; along a ray that grazes it that
-// is further.
+// In s: an origin on the surface is rounded by a few ulps across it, and Embree tells where it lies
+// from the triangle's corners, however far those are; along a ray that grazes it that is further.
 double RestFrame::clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const {
   constexpr double float_noise = 8.0 * 0x1p-24;
   constexpr double least_cosine = 1e-3;
   const Vec3 point = hits.origin.at(lane) + hits.s[lane] * hits.k.at(lane);
-  const double size = glm::length(point) + glm::length(bounds_.center());
+  const std::array<Vec3, 3> corners = this->corners(hits, lane);
+  double squared = 0;
+  for (const Vec3& corner : corners) squared = std::max(squared, glm::dot(corner, corner));
+  const double size = glm::length(point) + std::sqrt(squared);
   const Vec3 facet(parts_[hits.part[lane]].rest_from_facet_normal * hits.facet_normal.at(lane));
   const Vec3 rest_k = rest_from_traversal_linear_ * traversal_k;
   const double cosine =

@@ -11,10 +11,10 @@ namespace restframe {
 
 // The frames that types tell apart: Event<in::World> against Event<in::Rest>.
 namespace in {
-struct World;   // the inertial frame in which a scene is written
-struct Rest;    // the rest frame of the objects of one velocity
-struct Camera;  // the rest frame of the camera
-struct Light;   // the rest frame of one light
+struct World;      // the inertial frame in which a scene is written
+struct Rest;       // the rest frame of the objects of one velocity
+struct Camera;     // the rest frame of the camera
+struct LightRest;  // the rest frame of one light
 }  // namespace in
 
 // The difference of two events.

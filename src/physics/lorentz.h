@@ -30,7 +30,7 @@ class Boost {
 
   const Velocity& velocity() const { return velocity_; }
   bool is_identity() const { return velocity_.gamma_beta() == Vec3(0); }
-  Boost<From, To> inverse() const { return Boost<From, To>(-velocity_); }
+  Boost<From, To> inverse() const { return {-velocity_, inverse_gamma_plus_1_}; }
 
   Displacement<To> operator()(const Displacement<From>& d) const {
     const Vec3& u = velocity_.gamma_beta();
@@ -60,6 +60,11 @@ class Boost {
   }
 
  private:
+  template <class, class>
+  friend class Boost;
+  Boost(const Velocity& velocity, double inverse_gamma_plus_1)
+      : velocity_(velocity), inverse_gamma_plus_1_(inverse_gamma_plus_1) {}
+
   Velocity velocity_;
   double inverse_gamma_plus_1_ = 0.5;
 };

@@ -32,12 +32,14 @@ class Velocity {
   const Vec3& gamma_beta() const { return gamma_beta_; }
   double gamma() const { return gamma_; }
   Vec3 beta() const { return gamma_beta_ / gamma_; }
-  Velocity operator-() const { return Velocity(-gamma_beta_); }
+  Velocity operator-() const { return {-gamma_beta_, gamma_}; }
   bool operator==(const Velocity& other) const { return gamma_beta_ == other.gamma_beta_; }
 
  private:
   explicit Velocity(const Vec3& gamma_beta)
       : gamma_beta_(gamma_beta), gamma_(std::sqrt(1.0 + glm::dot(gamma_beta, gamma_beta))) {}
+
+  Velocity(const Vec3& gamma_beta, double gamma) : gamma_beta_(gamma_beta), gamma_(gamma) {}
 
   Vec3 gamma_beta_{0, 0, 0};
   double gamma_ = 1;

@@ -41,6 +41,9 @@ void validate_light(const Scene& scene, const Light& light, const std::string& n
   if (!std::isfinite(light.clock)) faults.push_back(name + ": clock must be finite");
   if (!is_unit(light.direction)) faults.push_back(name + ": direction must be of length 1");
   check_cone(light, name, faults);
+  // A plane wave that turned would show each place another retarded direction.
+  if (light.sweep && light.kind != LightKind::spot)
+    faults.push_back(name + ": sweep goes with spots only");
   if (light.sweep) check_sweep(*light.sweep, name, faults);
   validate_color(scene, light.color, name + ": color", faults);
   validate_number(scene, light.intensity, name + ": intensity", faults);

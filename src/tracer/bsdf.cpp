@@ -93,9 +93,33 @@ std::optional<Scattered> transmit(const Bsdf& b, const Vec3f& microfacet, const 
   return Scattered{*direction, fraction * visible, true};
 }
 
-// The fraction that the surface of a dielectric reflects, on the whole.
-float surface_reflectance(const Bsdf& b) {
-  return fresnel_dielectric(std::max(0.0F, glm::dot(b.view, b.normal)), b.eta);
+// The fraction that a microfacet of a dielectric reflects.
+float reflectance_at(const Bsdf& b, const Vec3f& microfacet) {
+  return fresnel_dielectric(std::max(0.0F, glm::dot(b.view, microfacet)), b.eta);
+}
+
+// The surface's reflection, or what passes it. Each is chosen as often as it matters, so weights stay
+// near the colour.
+std::optional<Scattered> scatter_dielectric(const Bsdf& b, float lobe, float u, float v) {
+  const bool before_thinner = b.eta < 1.0F;
+  // Towards something thinner some microfacets reflect all and others hardly anything: there the one
+  // that is met decides, or light would be made or lost.
+  const Vec3f met = before_thinner ? visible_microfacet(b, u, v) : b.normal;
+  const float reflectance = reflectance_at(b, met);
+  // A reflection that hardly ever happens would weigh too much when it does.
+  constexpr float least_reflectance = 1e-6F;
+  if (reflectance > least_reflectance && lobe < reflectance) {
+    const Vec3f microfacet = before_thinner ? met : visible_microfacet(b, u, v);
+    return reflect_off(b, microfacet, Vec3f(reflectance_at(b, microfacet) / reflectance));
+  }
+  if ((lobe - reflectance) / (1.0F - reflectance) < b.transmission) {
+    const Vec3f microfacet = before_thinner ? met : visible_microfacet(b, u, v);
+    const float passing = 1.0F - reflectance_at(b, microfacet);
+    return transmit(b, microfacet, b.base * (passing / (1.0F - reflectance)));
+  }
+  const Vec3f direction = cosine_distributed(b.normal, u, v);
+  if (glm::dot(direction, b.facet) <= 0.0F) return std::nullopt;
+  return Scattered{direction, b.base, false};
 }
 
 }  // namespace
@@ -116,29 +140,12 @@ std::optional<Vec3f> refracted(const Vec3f& view, const Vec3f& normal, float eta
   return (cos_theta / eta - std::sqrt(1.0F - sin2_beyond)) * normal - view / eta;
 }
 
-// Metal, or dielectric; of the latter: the surface's reflection, or what passes it. Each is chosen
-// as often as it matters, so weights stay near the colour.
 std::optional<Scattered> scatter(const Bsdf& b, float lobe, float u, float v) {
   if (lobe < b.metallic) {
     const Vec3f microfacet = visible_microfacet(b, u, v);
     return reflect_off(b, microfacet, schlick(b.base, glm::dot(b.view, microfacet)));
   }
-  const float rest = (lobe - b.metallic) / (1.0F - b.metallic);
-  const float reflectance = surface_reflectance(b);
-  if (rest < reflectance) {
-    const Vec3f microfacet = visible_microfacet(b, u, v);
-    const float here = fresnel_dielectric(std::max(0.0F, glm::dot(b.view, microfacet)), b.eta);
-    return reflect_off(b, microfacet, Vec3f(here / reflectance));
-  }
-  const float passing = (rest - reflectance) / (1.0F - reflectance);
-  if (passing < b.transmission) {
-    const Vec3f microfacet = visible_microfacet(b, u, v);
-    const float here = fresnel_dielectric(std::max(0.0F, glm::dot(b.view, microfacet)), b.eta);
-    return transmit(b, microfacet, b.base * ((1.0F - here) / (1.0F - reflectance)));
-  }
-  const Vec3f direction = cosine_distributed(b.normal, u, v);
-  if (glm::dot(direction, b.facet) <= 0.0F) return std::nullopt;
-  return Scattered{direction, b.base, false};
+  return scatter_dielectric(b, (lobe - b.metallic) / (1.0F - b.metallic), u, v);
 }
 
 Vec3f scattered_fraction(const Bsdf& b, const Vec3f& direction) {
@@ -147,8 +154,8 @@ Vec3f scattered_fraction(const Bsdf& b, const Vec3f& direction) {
   if (cos_light <= 0.0F || cos_view <= 0.0F || glm::dot(b.facet, direction) <= 0.0F)
     return Vec3f(0);
   const float dielectric = 1.0F - b.metallic;
-  Vec3f sum = b.base * (dielectric * (1.0F - b.transmission) * (1.0F - surface_reflectance(b)) *
-                        cos_light / pi);
+  Vec3f sum = b.base * (dielectric * (1.0F - b.transmission) *
+                        (1.0F - reflectance_at(b, b.normal)) * cos_light / pi);
   if (b.alpha < smallest_alpha) return sum;
   const Vec3f microfacet = glm::normalize(b.view + direction);
   const float cos_half = std::max(0.0F, glm::dot(b.view, microfacet));

@@ -1,6 +1,7 @@
 #include "tracer/camera_sampler.h"
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "tracer/film_samples.h"
@@ -10,11 +11,23 @@ namespace restframe {
 namespace {
 
 // About the golden section of `samples`, and without a common factor: steps of it visit every
-// sample once, neighbours in time far apart in the sequence.
-std::uint32_t coprime_stride(std::uint32_t samples) {
-  auto stride = static_cast<std::uint32_t>(0.6180339887498949 * samples);
+// sample once.
+std::size_t coprime_stride(std::size_t samples) {
+  auto stride = static_cast<std::size_t>(0.6180339887498949 * static_cast<double>(samples));
   while (std::gcd(stride, samples) != 1) ++stride;
   return stride;
+}
+
+// film_offsets() begins at the centre, which data layers hold where nothing is spread over time.
+// Over a shutter's time they come with strides, since neighbours in that sequence are related.
+std::vector<Vec2f> ordered_offsets(int samples, bool over_time) {
+  const std::vector<Vec2f> offsets = film_offsets(samples);
+  if (!over_time) return offsets;
+  const std::size_t stride = coprime_stride(offsets.size());
+  std::vector<Vec2f> ordered(offsets.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    ordered[i] = offsets[i * stride % offsets.size()];
+  return ordered;
 }
 
 double fraction(double x) {
@@ -24,18 +37,15 @@ double fraction(double x) {
 }  // namespace
 
 CameraSampler::CameraSampler(const Scene& scene)
-    : offsets_(film_offsets(scene.render.samples)),
-      shutter_(scene.exposure),
+    : shutter_(scene.exposure),
+      offsets_(ordered_offsets(scene.render.samples, !shutter_.is_instant())),
       aperture_(scene.camera.aperture),
-      rolling_per_pixel_(scene.camera.rolling / scene.render.height),
-      stride_(coprime_stride(static_cast<std::uint32_t>(scene.render.samples))) {}
+      rolling_per_pixel_(scene.camera.rolling / scene.render.height) {}
 
 void CameraSampler::start(const PacketId& id, Starts& starts) const {
   if (!shutter_.is_instant()) {
-    const auto samples = static_cast<float>(offsets_.size());
     for (int i = 0; i < packet_size; ++i) {
-      const float u = random_unit(id, i, Dimension::time, 1);
-      starts.film[i] = static_cast<std::uint32_t>(u * samples);
+      starts.moment[i] = static_cast<double>(random_unit(id, i, Dimension::time, 0));
     }
   }
   if (has_lens()) {
@@ -46,58 +56,36 @@ void CameraSampler::start(const PacketId& id, Starts& starts) const {
   }
 }
 
-std::uint32_t CameraSampler::film_index(const Starts& starts, int lane, int index) const {
-  if (shutter_.is_instant()) return static_cast<std::uint32_t>(index);
-  const std::uint64_t steps =
-      starts.film[lane] + std::uint64_t{stride_} * static_cast<unsigned>(index);
-  return static_cast<std::uint32_t>(steps % offsets_.size());
-}
-
-void CameraSampler::place_on_film(const PixelLanes& pixels, const Starts& starts, int index,
-                                  CameraSample& sample) const {
-  Lanes<float> x, y;
-  if (shutter_.is_instant()) {
-    const Vec2f& offset = offsets_[static_cast<std::size_t>(index)];
-    x.fill(offset.x);
-    y.fill(offset.y);
-  } else {
-    for (int i = 0; i < packet_size; ++i) {
-      const Vec2f& offset = offsets_[film_index(starts, i, index)];
-      x[i] = offset.x;
-      y[i] = offset.y;
-    }
-  }
+void CameraSampler::place_on_film(const PixelLanes& pixels, int index, CameraSample& sample) const {
+  const Vec2f offset = offsets_[static_cast<std::size_t>(index)];
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    sample.film_x[i] = pixels.x[i] + 0.5 + static_cast<double>(x[i]);
-    sample.film_y[i] = pixels.y[i] + 0.5 + static_cast<double>(y[i]);
+    sample.film_x[i] = pixels.x[i] + 0.5 + static_cast<double>(offset.x);
+    sample.film_y[i] = pixels.y[i] + 0.5 + static_cast<double>(offset.y);
   }
 }
 
 void CameraSampler::place_on_lens(const Starts& starts, int index, CameraSample& sample) const {
-  if (!has_lens()) {
-    sample.lens_x.fill(0.0);
-    sample.lens_y.fill(0.0);
-    return;
-  }
   for (int i = 0; i < packet_size; ++i) {
-    const double n = film_index(starts, i, index);
-    const double u = fraction(starts.lens_u[i] + n * (std::numbers::sqrt2 - 1.0));
-    const double v = fraction(starts.lens_v[i] + n * (std::numbers::sqrt3 - 1.0));
+    const double u = fraction(starts.lens_u[i] + index * (std::numbers::sqrt2 - 1.0));
+    const double v = fraction(starts.lens_v[i] + index * (std::numbers::sqrt3 - 1.0));
     const Vec2 point = aperture_ * on_unit_disc(u, v);
     sample.lens_x[i] = point.x;
     sample.lens_y[i] = point.y;
   }
 }
 
-void CameraSampler::place_in_time(const PacketId& id, int index, CameraSample& sample) const {
+void CameraSampler::place_in_time(const Starts& starts, int index, CameraSample& sample) const {
   if (shutter_.is_instant()) {
     sample.after_opening.fill(0.0);
     return;
   }
+  constexpr double root_5 = 2.23606797749978969641;
   const double part = 1.0 / static_cast<double>(offsets_.size());
+  const double shift = fraction(index * (root_5 - 2.0));
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const auto jitter = static_cast<double>(random_unit(id, i, Dimension::time, 0));
-    sample.after_opening[i] = (index + jitter) * part;
+    sample.after_opening[i] = (index + fraction(starts.moment[i] + shift)) * part;
   }
   shutter_.quantiles(sample.after_opening);
 }
@@ -108,13 +96,13 @@ void CameraSampler::add_rolling(CameraSample& sample) const {
   }
 }
 
-void CameraSampler::take(const PacketId& id, const PixelLanes& pixels, const Starts& starts,
-                         int index, CameraSample& sample) const {
-  place_on_film(pixels, starts, index, sample);
+void CameraSampler::take(const PixelLanes& pixels, const Starts& starts, int index,
+                         CameraSample& sample) const {
+  place_on_film(pixels, index, sample);
   if (is_instant() && !has_lens()) return;  // nobody asks for the rest
-  place_in_time(id, index, sample);
-  add_rolling(sample);
-  place_on_lens(starts, index, sample);
+  place_in_time(starts, index, sample);
+  if (rolling_per_pixel_ > 0.0) add_rolling(sample);
+  if (has_lens()) place_on_lens(starts, index, sample);
 }
 
 void CameraSampler::take_center(const PixelLanes& pixels, CameraSample& sample) const {

@@ -17,17 +17,18 @@ struct PixelLanes {
 struct CameraSample {
   Lanes<double> film_x, film_y;  // pixels
   Lanes<double> after_opening;   // seconds of the camera's time since its exposure opened
-  Lanes<double> lens_x, lens_y;  // right and up from the lens's centre; light-seconds
+  Lanes<double> lens_x, lens_y;  // right and up from the lens's centre, if any; light-seconds
 };
 
 // Spreads the samples of each pixel over film, shutter and lens.
 //
-// Sample i of n takes the i-th of n equal parts of the light that the shutter lets through, at a
-// random moment of it: a pixel's samples are stratified in time, and the 16 lanes of a packet are
-// close in time, so that their rays stay coherent. Which point of the film comes with it is shifted
-// at random for each pixel and exposure. Points of the lens are a Kronecker sequence of the square
-// roots of 2 and 3, likewise shifted. Without shutter and lens, sample i is film_offsets()[i] in
-// all pixels.
+// Sample i of n takes the i-th of n equal parts of the light that the shutter lets through: a
+// pixel's samples are stratified in time, and the 16 lanes of a packet are close in time, so that
+// their rays stay coherent. The moment within its part is a Kronecker sequence of the square root
+// of 5, the point of the lens one of the square roots of 2 and 3; both begin at random for each
+// pixel and exposure, which makes each of their samples uniform. The points on the film are the
+// same in all pixels, film_offsets(), under a shutter in an order that does not go with time: what
+// stands still looks as it does without a shutter.
 class CameraSampler {
  public:
   explicit CameraSampler(const Scene& scene);
@@ -40,32 +41,28 @@ class CameraSampler {
 
   // What is drawn once for the pixels of a block and an exposure.
   struct Starts {
-    Lanes<std::uint32_t> film;
+    Lanes<double> moment;  // as a fraction of a part
     Lanes<double> lens_u, lens_v;
   };
   // id: of the exposure's first sample.
   void start(const PacketId& id, Starts& starts) const;
 
-  // Sample `index` of the exposure that `starts` belongs to; id: that sample's.
-  void take(const PacketId& id, const PixelLanes& pixels, const Starts& starts, int index,
-            CameraSample& sample) const;
+  // Sample `index` of the exposure that `starts` belongs to.
+  void take(const PixelLanes& pixels, const Starts& starts, int index, CameraSample& sample) const;
 
   // The pixels' centres, through the lens's centre, as the exposure opens.
   void take_center(const PixelLanes& pixels, CameraSample& sample) const;
 
  private:
-  std::uint32_t film_index(const Starts& starts, int lane, int index) const;
-  void place_on_film(const PixelLanes& pixels, const Starts& starts, int index,
-                     CameraSample& sample) const;
+  void place_on_film(const PixelLanes& pixels, int index, CameraSample& sample) const;
   void place_on_lens(const Starts& starts, int index, CameraSample& sample) const;
-  void place_in_time(const PacketId& id, int index, CameraSample& sample) const;
+  void place_in_time(const Starts& starts, int index, CameraSample& sample) const;
   void add_rolling(CameraSample& sample) const;
 
-  std::vector<Vec2f> offsets_;
   Shutter shutter_;
+  std::vector<Vec2f> offsets_;    // of the samples on the film, from the pixel's centre
   double aperture_ = 0;           // light-seconds
   double rolling_per_pixel_ = 0;  // seconds
-  std::uint32_t stride_ = 1;      // from one sample's film point to the next one's, under a shutter
 };
 
 }  // namespace restframe

@@ -11,8 +11,13 @@ struct CameraRay {
   Vec3 direction;
 };
 
-inline CameraRay camera_ray(const CameraPose& pose, const Projection& projection, double focus,
-                            const CameraSample& sample, int lane) {
+inline CameraRay pinhole_ray(const Projection& projection, const CameraSample& sample, int lane) {
+  return {{sample.after_opening[lane], {0, 0, 0}},
+          projection.direction(sample.film_x[lane], sample.film_y[lane])};
+}
+
+inline CameraRay lens_ray(const CameraPose& pose, const Projection& projection, double focus,
+                          const CameraSample& sample, int lane) {
   const Vec3 through = projection.corner() + sample.film_x[lane] * projection.step_x() +
                        sample.film_y[lane] * projection.step_y();  // 1 along the camera's axis
   const Vec3 on_lens = sample.lens_x[lane] * pose.axes[0] + sample.lens_y[lane] * pose.axes[1];
@@ -67,7 +72,7 @@ void ExposedCamera::steady_rays(const Moment& opening, const CameraSample& sampl
   WaveVectorLanes<in::Camera> k;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const CameraRay ray = camera_ray(pose, projection, scene_.camera.focus, sample, i);
+    const CameraRay ray = lens_ray(pose, projection, scene_.camera.focus, sample, i);
     rays.origin.set(i, pose.event + pose.world_from_camera(ray.origin));
     k.set(i, looking_along<in::Camera>(ray.direction));
   }
@@ -81,7 +86,8 @@ void ExposedCamera::changing_rays(const Moment& opening, const CameraSample& sam
   for (int i = 0; i < packet_size; ++i) {
     const Moment moment = moment_at(opening.time + sample.after_opening[i]);
     const CameraRay ray =
-        camera_ray(moment.pose, moment.projection, scene_.camera.focus, sample, i);
+        is_pinhole_ ? pinhole_ray(moment.projection, sample, i)
+                    : lens_ray(moment.pose, moment.projection, scene_.camera.focus, sample, i);
     const Displacement<in::Camera> on_lens{0.0, ray.origin.x};
     rays.origin.set(i, moment.pose.event + moment.pose.world_from_camera(on_lens));
     rays.k.set(i, moment.pose.world_from_camera(looking_along<in::Camera>(ray.direction)));

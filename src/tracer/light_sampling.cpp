@@ -21,17 +21,26 @@ Vec3 direction_at(const Light& light, double clock) {
          (1.0 - std::cos(angle)) * glm::dot(axis, d) * axis;
 }
 
+// 1 - cos, without the loss of digits of small angles: a laser's cone is as exact as a lamp's.
+double one_minus_cos(double angle) {
+  const double s = std::sin(0.5 * angle);
+  return 2.0 * s * s;
+}
+
 // As KHR_lights_punctual has it: smooth between the cones.
 float spot_factor(const Light& light, double clock, const Vec3& outwards) {
-  const double cosine = glm::dot(direction_at(light, clock), outwards);
-  const double cos_outer = std::cos(light.outer_cone);
-  const double width = std::max(1e-6, std::cos(light.inner_cone) - cos_outer);
-  const double inside = std::clamp((cosine - cos_outer) / width, 0.0, 1.0);
+  const Vec3 aside = direction_at(light, clock) - outwards;
+  const double outer = one_minus_cos(light.outer_cone);
+  const double within = outer - 0.5 * glm::dot(aside, aside);
+  const double width = outer - one_minus_cos(light.inner_cone);
+  if (within <= 0.0) return 0.0F;
+  const double inside = within < width ? within / width : 1.0;
   return static_cast<float>(inside * inside);
 }
 
 Vec3f emitted(const Light& light, double clock, TemporalEvaluator& evaluator) {
-  return evaluator(light.color, clock) * evaluator(light.intensity, clock);
+  // Formulas may ask for less than nothing.
+  return glm::max(evaluator(light.color, clock) * evaluator(light.intensity, clock), Vec3f(0));
 }
 
 // A ray of unit frequency in the light's frame, as the surface has it.
@@ -41,10 +50,16 @@ struct Arrival {
   Vec3f direction{0};
 };
 
+// Most lights and surfaces rest in the world: that costs nothing.
+template <class To, class From>
+WaveVector<To> boosted(const Boost<To, From>& to_from, const WaveVector<From>& k) {
+  return to_from.is_identity() ? WaveVector<To>{k.t, k.x} : to_from(k);
+}
+
 Arrival arrival(const LightPlace& place, const LitEvent& lit, const Vec3& towards_light) {
   const WaveVector<in::World> k =
-      place.frame.from_world.inverse()(looking_along<in::Light>(towards_light));
-  const WaveVector<in::Rest> at_surface = lit.rest_from_world(k);
+      boosted(place.world_from_light, looking_along<in::LightRest>(towards_light));
+  const WaveVector<in::Rest> at_surface = boosted(lit.rest_from_world, k);
   return {k, -at_surface.t, Vec3f(sight_direction(at_surface))};
 }
 
@@ -60,7 +75,7 @@ Incident with_frequency(const Arrival& arrival, double omega, double& doppler) {
 
 std::optional<Incident> from_place(const LightPlace& place, const LitEvent& lit, double light_speed,
                                    bool beaming, TemporalEvaluator& evaluator) {
-  const Event<in::Light> at = place.frame(lit.event);
+  const Event<in::LightRest> at = place.frame(lit.event);
   const double distance = glm::length(at.x);
   if (!(distance > 0.0)) return std::nullopt;
   const Vec3 outwards = at.x / distance;
@@ -84,7 +99,7 @@ std::optional<Incident> from_place(const LightPlace& place, const LitEvent& lit,
 // distance has grown by D, before the emitter's factor.
 std::optional<Incident> from_sun(const LightPlace& place, const LitEvent& lit, bool beaming,
                                  TemporalEvaluator& evaluator) {
-  const Event<in::Light> at = place.frame(lit.event);
+  const Event<in::LightRest> at = place.frame(lit.event);
   const Vec3& direction = place.light->direction;
   const double clock = at.t - glm::dot(direction, at.x) + place.clock_at_anchor;
   const Vec3f irradiance = emitted(*place.light, clock, evaluator);
@@ -106,7 +121,8 @@ std::vector<LightPlace> light_places(const Scene& scene) {
     const Worldline& line = light.worldline;
     LightPlace place;
     place.light = &light;
-    place.frame = {line.reference, Boost<in::Light, in::World>(line.velocity)};
+    place.frame = {line.reference, Boost<in::LightRest, in::World>(line.velocity)};
+    place.world_from_light = place.frame.from_world.inverse();
     place.clock_at_anchor = light.frame_clock
                                 ? place.frame.from_world(line.reference - Event<in::World>{}).t
                                 : light.clock;

@@ -7,20 +7,15 @@
 
 #include "scene/scene.h"
 #include "scene/temporal_evaluator.h"
+#include "tracer/sample.h"
 
 namespace restframe {
-
-// D^4 of light whose emitter is seen with this D by the camera if the scene beams, else 1: the only
-// radiometric factor of a path (design, section 2, point 4).
-inline float emitter_factor(bool beaming, double doppler) {
-  const double squared = doppler * doppler;
-  return beaming ? static_cast<float>(squared * squared) : 1.0F;
-}
 
 // A light with its coordinates: the rest frame around its reference event.
 struct LightPlace {
   const Light* light = nullptr;
-  AnchoredFrame<in::Light> frame;
+  AnchoredFrame<in::LightRest> frame;
+  Boost<in::World, in::LightRest> world_from_light;
   double clock_at_anchor = 0;
 };
 std::vector<LightPlace> light_places(const Scene& scene);

@@ -71,14 +71,15 @@ void PathWalk::let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes
       shadows.active[lane] = 0;
       if (hits.frame[lane] < 0) continue;
       stage_.frames.refine(hits, lane);
-      if (hits.s[lane] >= s_max[lane]) continue;
+      const double s_behind = stage_.frames.frame(hits.frame[lane]).s_behind(hits, lane);
+      if (s_behind >= s_max[lane]) continue;
       const MetSurface met{stage_.scene, stage_.frames, surfaces, hits, lane};
       const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces.object[lane])];
       const Vec4f texture = texel(met, met.material().base_color_texture);
       left[lane] *= 1.0F - opacity(met, texture.w, clock_at(place, hits, lane), evaluator_);
       if (left[lane] < least_light) left[lane] = 0.0F;
       if (left[lane] == 0.0F) continue;
-      shadows.s_min[lane] = stage_.frames.frame(hits.frame[lane]).s_behind(hits, lane);
+      shadows.s_min[lane] = s_behind;
       shadows.active[lane] = -1;
       passing = true;
     }

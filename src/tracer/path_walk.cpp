@@ -18,6 +18,11 @@ float largest(const Vec3f& v) {
   return std::max({v.x, v.y, v.z});
 }
 
+// Formulas may leave the range of what they stand for.
+float fraction(float value) {
+  return std::clamp(value, 0.0F, 1.0F);
+}
+
 // The triangle's own normal, on the side that the ray comes from.
 Vec3f facet_towards_ray(const MetSurface& met) {
   const FramePart& part = met.frames.frame(met.hits.frame[met.lane]).part(met.hits.part[met.lane]);
@@ -70,6 +75,14 @@ bool PathWalk::find_surfaces() {
   return true;
 }
 
+// Objects of one velocity may be in several rest frames, by their sizes.
+bool PathWalk::rests_together(int frame, int other) const {
+  const auto velocity = [&](int index) {
+    return stage_.frames.frame(index).coordinates().from_world.velocity();
+  };
+  return frame == other || velocity(frame) == velocity(other);
+}
+
 void PathWalk::step(int lane) {
   State& state = states_[lane];
   if (hits_.frame[lane] < 0) return miss(lane);
@@ -78,7 +91,7 @@ void PathWalk::step(int lane) {
   const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
   const double clock = clock_at(place, hits_, lane);
   const Vec4f texture = texel(met, met.material().base_color_texture);
-  if (!state.media.empty() && state.media.top().frame != hits_.frame[lane]) {
+  if (!state.media.empty() && !rests_together(state.media.top().frame, hits_.frame[lane])) {
     crossing_ = {state.media.top().object, surfaces_.object[lane]};
     in_medium_.active[lane] = 0;
     return;
@@ -139,15 +152,15 @@ void PathWalk::meet(int lane, const MetSurface& met, double clock, const Vec4f& 
 void PathWalk::set_vertex(int lane, const MetSurface& met, double clock, const Vec4f& texture) {
   const Material& material = met.material();
   const Vec4f finish = texel(met, material.metallic_roughness_texture);
-  const float roughness = evaluator_(material.roughness, clock) * finish.y;
+  const float roughness = fraction(evaluator_(material.roughness, clock)) * finish.y;
   Vertex& vertex = vertices_[lane];
   Bsdf& bsdf = vertex.bsdf;
   bsdf.view = -hits_.sight.at(lane);
   bsdf.normal = surfaces_.normal.at(lane);
   bsdf.facet = facet_towards_ray(met);
-  bsdf.base = base_color(met, texture, clock, evaluator_);
-  bsdf.metallic = evaluator_(material.metallic, clock) * finish.z;
-  bsdf.transmission = evaluator_(material.transmission, clock);
+  bsdf.base = glm::max(base_color(met, texture, clock, evaluator_), Vec3f(0));
+  bsdf.metallic = fraction(evaluator_(material.metallic, clock)) * finish.z;
+  bsdf.transmission = fraction(evaluator_(material.transmission, clock));
   bsdf.alpha = roughness * roughness;
   bsdf.eta = index_ratio(lane, met, clock);
   const RestFrame& frame = stage_.frames.frame(hits_.frame[lane]);
@@ -162,10 +175,11 @@ Medium PathWalk::medium_of(int lane, const MetSurface& met, double clock) {
   medium.frame = hits_.frame[lane];
   medium.object = surfaces_.object[lane];
   medium.material = surfaces_.material[lane];
-  medium.ior = evaluator_(material.ior, clock);
+  medium.ior = std::max(1.0F, evaluator_(material.ior, clock));
   const float distance = evaluator_(material.attenuation_distance, clock);
   if (distance > 0.0F) {
-    const Vec3f left = glm::max(evaluator_(material.attenuation_color, clock), Vec3f(darkest));
+    const Vec3f left =
+        glm::clamp(evaluator_(material.attenuation_color, clock), Vec3f(darkest), Vec3f(1));
     medium.absorbed = -glm::log(left) / distance * static_cast<float>(stage_.scene.light_speed);
   }
   return medium;
@@ -174,7 +188,7 @@ Medium PathWalk::medium_of(int lane, const MetSurface& met, double clock) {
 // From the side that the ray comes from to the other one.
 float PathWalk::index_ratio(int lane, const MetSurface& met, double clock) {
   const MediumStack& media = states_[lane].media;
-  const float own = evaluator_(met.material().ior, clock);
+  const float own = std::max(1.0F, evaluator_(met.material().ior, clock));
   const bool leaves = surfaces_.back[lane] != 0 && can_transmit(met.material());
   if (!leaves) return own / media.ior();
   MediumStack outside = media;
@@ -223,6 +237,7 @@ void PathWalk::depart(int lane, const Vec3f& direction) {
     rays_.k.set(lane, world_from_rest(WaveVector<in::Rest>{-state.omega, x}));
     rays_.s_min[lane] = s_min;
     rays_.active[lane] = -1;
+    rays_.coherent = false;
     return;
   }
   const double index = static_cast<double>(state.media.ior());

@@ -53,6 +53,7 @@ class PathWalk {
   };
 
   bool find_surfaces();
+  bool rests_together(int frame, int other) const;
   void step(int lane);
   void miss(int lane);
   void pass_straight(int lane);

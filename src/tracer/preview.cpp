@@ -1,16 +1,13 @@
 #include "tracer/preview.h"
 
+#include "tracer/surface_material.h"
+
 namespace restframe {
 namespace {
 
 // Below this much light from behind, what lies behind is left out.
 constexpr float least_transmittance = 1e-4F;
 constexpr std::uint32_t most_layers = 1000;
-
-float beaming_factor(double doppler) {
-  const double squared = doppler * doppler;
-  return static_cast<float>(squared * squared);  // bolometric radiance gains D^4
-}
 
 }  // namespace
 
@@ -26,7 +23,7 @@ Preview::Plain Preview::plain(const Material& m) {
   const bool textured = m.base_color_texture.texture >= 0 || m.emission_texture.texture >= 0;
   Plain result;
   result.always = !changes && !textured && m.alpha_mode == AlphaMode::opaque;
-  result.double_sided = m.double_sided;
+  result.double_sided = m.double_sided || can_transmit(m);
   const Vec4f base(m.base_color.value, 0.0F);
   result.lit = m.unlit ? Vec4f(0) : base;
   result.unlit = m.unlit ? base : Vec4f(0);
@@ -34,39 +31,18 @@ Preview::Plain Preview::plain(const Material& m) {
   return result;
 }
 
-Vec4f Preview::texel(const TextureUse& use, const Met& met) const {
-  if (use.texture < 0) return Vec4f(1);
-  const Texture& texture = scene_.textures[static_cast<std::size_t>(use.texture)];
-  const Image& image = scene_.images[static_cast<std::size_t>(texture.image)];
-  return sample_texture(texture, image, uv_at(scene_, frames_, met.hits, met.lane, use.uv_set));
-}
-
-float Preview::coverage(const Material& material, const Met& met, float texture_alpha, double clock,
-                        TemporalEvaluator& evaluator) const {
-  if (met.surfaces.back[met.lane] != 0 && !material.double_sided) return 0.0F;
-  if (material.alpha_mode == AlphaMode::opaque) return 1.0F;
-  const float alpha =
-      evaluator(material.opacity, clock) * texture_alpha * met.surfaces.color[met.lane].w;
-  if (material.alpha_mode == AlphaMode::mask) return alpha >= material.alpha_cutoff ? 1.0F : 0.0F;
-  return glm::clamp(alpha, 0.0F, 1.0F);
-}
-
 Vec4f Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) const {
   const SurfaceLanes& surfaces = met.surfaces;
-  const Material& material =
-      scene_.materials[static_cast<std::size_t>(surfaces.material[met.lane])];
+  const MetSurface surface{scene_, frames_, surfaces, met.hits, met.lane};
   frames_.refine(met.hits, met.lane);
   const double clock =
       clock_at(places_[static_cast<std::size_t>(surfaces.object[met.lane])], met.hits, met.lane);
-  const Vec4f base_texel = texel(material.base_color_texture, met);
-  const float alpha = coverage(material, met, base_texel.w, clock, evaluator);
+  const Vec4f texture = texel(surface, surface.material().base_color_texture);
+  const float alpha = coverage(surface, texture.w, clock, evaluator);
   if (alpha <= 0.0F) return Vec4f(0);
-  const Vec3f base =
-      evaluator(material.base_color, clock) * Vec3f(base_texel) * Vec3f(surfaces.color[met.lane]);
-  const Vec3f emission = evaluator(material.emission, clock) *
-                         evaluator(material.emission_strength, clock) *
-                         Vec3f(texel(material.emission_texture, met));
-  const Vec3f seen = base * (material.unlit ? 1.0F : surfaces.cosine[met.lane]) + emission;
+  const float light = surface.material().unlit ? 1.0F : surfaces.cosine[met.lane];
+  const Vec3f seen =
+      base_color(surface, texture, clock, evaluator) * light + emission(surface, clock, evaluator);
   return alpha * Vec4f(seen, 1.0F);
 }
 
@@ -81,28 +57,16 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
              plain.emission;
   }
   if (scene_.render.beaming) {
-    const float factor = beaming_factor(doppler_at(met.hits, met.lane));
+    const float factor = emitter_factor(true, doppler_at(met.hits, met.lane));
     shaded *= Vec4f(factor, factor, factor, 1.0F);
   }
   return shaded;
 }
 
 SurfaceData Preview::data_of(const Met& met) const {
-  const int lane = met.lane;
-  frames_.refine(met.hits, lane);
-  const ObjectPlace& place = places_[static_cast<std::size_t>(met.surfaces.object[lane])];
-  SurfaceData data;
-  data.hit = true;
-  data.object = met.surfaces.object[lane];
-  data.material = met.surfaces.material[lane];
-  data.distance = met.hits.s[lane];
-  data.time_proper = clock_at(place, met.hits, lane);
-  data.time_world = met.rays.origin.t[lane] + met.hits.s[lane] * met.rays.k.t[lane];
-  data.doppler = doppler_at(met.hits, lane);
-  data.position = position_on_object(frames_, place, met.hits, lane);
-  data.normal = Vec3(met.surfaces.normal.at(lane));
-  data.uv = uv_at(scene_, frames_, met.hits, lane, 0);
-  return data;
+  frames_.refine(met.hits, met.lane);
+  return surface_data({scene_, frames_, met.surfaces, met.hits, met.lane},
+                      places_[static_cast<std::size_t>(met.surfaces.object[met.lane])], met.rays);
 }
 
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,

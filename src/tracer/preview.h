@@ -39,9 +39,6 @@ class Preview {
   };
   Vec4f shade(const Met& met, TemporalEvaluator& evaluator) const;
   Vec4f shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
-  float coverage(const Material& material, const Met& met, float texture_alpha, double clock,
-                 TemporalEvaluator& evaluator) const;
-  Vec4f texel(const TextureUse& use, const Met& met) const;
   SurfaceData data_of(const Met& met) const;
 
   const Scene& scene_;

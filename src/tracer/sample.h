@@ -7,6 +7,13 @@ namespace restframe {
 // What 16 samples saw: linear Rec. 709 and coverage, premultiplied.
 using RadianceLanes = Lanes<Vec4f>;
 
+// D^4 of light whose emitter is seen with this D by the camera if the scene beams, else 1: the only
+// radiometric factor of a path (design, section 2, point 4).
+inline float emitter_factor(bool beaming, double doppler) {
+  const double squared = doppler * doppler;
+  return beaming ? static_cast<float>(squared * squared) : 1.0F;
+}
+
 // What data layers say of one sample (design, section 7). Lengths in light-seconds.
 struct SurfaceData {
   bool hit = false;

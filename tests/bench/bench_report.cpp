@@ -17,6 +17,7 @@ constexpr Target targets[] = {
     {"preview over bare Embree, at rest", "bare_at_rest", "preview_at_rest", 0.75, true},
     {"preview over bare Embree, 0.99c", "bare_moving", "preview_moving", 0.7, true},
     {"motion blur over none, 16 samples", "preview_blurred", "preview_sampled", 1.2, false},
+    {"shadowed point light over preview", "light_shadowed", "light_none", 2.2, false},
     {"reading and building over bare build", "read_and_build", "bare_build", 2.0, false},
     {"animation over its renderings", "animation", "renderings", 1.1, false},
 };

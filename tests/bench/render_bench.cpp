@@ -45,7 +45,7 @@ void bare(benchmark::State& state, Bench& bench) {
   count_rays(state, bench);
 }
 
-void preview(benchmark::State& state, Bench& bench) {
+void pictures(benchmark::State& state, Bench& bench) {
   const RenderContext context{bench.scene, bench.integrator, bench.evaluators, {}};
   Picture picture = blank_picture(bench.scene);
   for (auto _ : state) render_picture(context, 0, picture);
@@ -56,13 +56,13 @@ void bare_at_rest(benchmark::State& state) {
   bare(state, at_rest());
 }
 void preview_at_rest(benchmark::State& state) {
-  preview(state, at_rest());
+  pictures(state, at_rest());
 }
 void bare_moving(benchmark::State& state) {
   bare(state, moving());
 }
 void preview_moving(benchmark::State& state) {
-  preview(state, moving());
+  pictures(state, moving());
 }
 
 // 16 samples of the moving lattice. The shutter is open for half the time between pictures; in the
@@ -83,12 +83,38 @@ void preview_sampled(benchmark::State& state) {
   sampled(state, 0.0);
 }
 
+// One shadowed point light beside the camera, 4 samples, and what preview takes for as many.
+Scene lit_scene() {
+  Scene scene = bench_scene_at_rest();
+  scene.render.samples = 4;
+  scene.render.integrator = IntegratorKind::path;
+  scene.render.depth = 1;
+  Light light;
+  light.worldline.reference.x = {3, 4, 14};
+  light.intensity.value = 100;
+  scene.lights.push_back(light);
+  return scene;
+}
+void light_shadowed(benchmark::State& state) {
+  static Bench bench(lit_scene());
+  pictures(state, bench);
+}
+void light_none(benchmark::State& state) {
+  Scene scene = at_rest().scene;
+  scene.render.samples = 4;
+  const RenderContext context{scene, at_rest().integrator, at_rest().evaluators, {}};
+  Picture picture = blank_picture(scene);
+  for (auto _ : state) render_picture(context, 0, picture);
+}
+
 BENCHMARK(bare_at_rest)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(preview_at_rest)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(bare_moving)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(preview_moving)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(preview_blurred)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(preview_sampled)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(light_shadowed)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(light_none)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace restframe

@@ -51,6 +51,12 @@ Scene boosted(const Scene& scene, const Velocity& new_world) {
     for (PlacedMesh& part : object.parts) part.object_from_mesh = turn * part.object_from_mesh;
     object.worldline = boosted(object.worldline, new_world);
   }
+  for (Light& light : result.lights) {
+    const Mat3 turn = wigner_rotation(light.worldline.velocity, new_world);
+    light.direction = turn * light.direction;
+    if (light.sweep) light.sweep->axis = turn * light.sweep->axis;
+    light.worldline = boosted(light.worldline, new_world);
+  }
   Camera& camera = result.camera;
   AimDirection* aim = std::get_if<AimDirection>(&camera.aim);
   if (!aim) throw std::invalid_argument("boosted: the camera's aim must be a direction");
