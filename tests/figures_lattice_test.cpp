@@ -10,6 +10,7 @@
 
 #include "support/animation.h"
 #include "support/figure.h"
+#include "support/shown_scene.h"
 
 namespace restframe {
 namespace {
@@ -47,7 +48,7 @@ std::vector<SeenPlace> places_in(const ExrPicture& picture, const Scene& scene) 
 }
 
 std::string lattice_text(const std::string& name, int width, int height) {
-  const std::string text = small(figure_text(name), width, height, kPlaces);
+  const std::string text = small(scene_text(name), width, height, kPlaces);
   return name == "fig13_lattice_offaxis" ? with_key(text, "render", "integrator", "\"preview\"")
                                          : text;
 }
@@ -185,7 +186,7 @@ Reflection reflection_on(const ExrPicture& picture, const Vec3& ball) {
 // between the sun, which aberration has put nearly ahead, and the camera.
 TEST(Figure13, ReflectionsAreAtImpossibleAngles) {
   std::string text =
-      small(figure_text("fig13_lattice_offaxis"), 640, 360, R"(["beauty", "P", "N", "id"])");
+      small(scene_text("fig13_lattice_offaxis"), 640, 360, R"(["beauty", "P", "N", "id"])");
   text = with_key(with_key(text, "render", "depth", "1"), "animation", "start", "0.2");
   text = with_key(text, "animation", "pictures", "1");
   const ExrPicture picture = rendered_animation(RESTFRAME_PROGRAM, text, 1)[0];
@@ -206,9 +207,8 @@ TEST(Figure13, ReflectionsAreAtImpossibleAngles) {
 
 // At rest: what is seen is as much older as it is farther away, in shells half a light-second thick.
 TEST(Figure11, ShellsRunOutwards) {
-  const auto file =
-      std::filesystem::path(RESTFRAME_SOURCE_DIR) / "scenes/fig11_lattice_rest/blink.txt";
-  std::string text = replaced(figure_text("fig11_lattice_rest"), "\"blink.txt\"",
+  const auto file = folder_of_scene("fig11_lattice_rest") / "blink.txt";
+  std::string text = replaced(scene_text("fig11_lattice_rest"), "\"blink.txt\"",
                               fmt::format("\"{}\"", file.string()));
   text = small(text, 200, 112, kPlaces);
   const Scene scene = figure_scene(text);
