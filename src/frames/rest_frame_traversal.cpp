@@ -232,7 +232,7 @@ void RestFrame::intersect(const MediumRayPacket& rays, int own_index, HitPacket&
 // What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on a
 // surface is not behind it.
 double RestFrame::noise_at_end() const {
-  constexpr double float_noise = 32.0 * 0x1p-24;
+  constexpr double float_noise = 16.0 * 0x1p-24;
   const double reach = glm::length(bounds_.center()) + 0.5 * glm::length(bounds_.extent());
   return float_noise * reach / traversal_scale_;
 }
