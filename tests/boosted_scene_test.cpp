@@ -121,7 +121,8 @@ TEST(BoostedScene, RaysDifferByTheObjectsRotationAlone) {
   const Scene old_scene = example();
   for (const Velocity& new_world : kNewWorlds) {
     const Scene new_scene = boosted(old_scene, new_world);
-    const Mat3 camera_turn = wigner_rotation(std::get<Worldline>(old_scene.camera.motion).velocity, new_world);
+    const Mat3 camera_turn =
+        wigner_rotation(std::get<Worldline>(old_scene.camera.motion).velocity, new_world);
     EXPECT_LE(glm::length(std::get<AimDirection>(new_scene.camera.aim).direction -
                           camera_turn * Vec3(0, 0.6, -0.8)),
               1e-15);

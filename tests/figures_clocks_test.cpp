@@ -7,6 +7,7 @@
 
 #include "support/animation.h"
 #include "support/figure.h"
+#include "support/shown_scene.h"
 
 namespace restframe {
 namespace {
@@ -45,9 +46,9 @@ double reading(const Scene& scene, std::size_t object, double time) {
 }
 
 TEST(Clocks, FlyingOnesAreOutOfStepByOneSecondEach) {
-  const auto folder = std::filesystem::path(RESTFRAME_SOURCE_DIR) / "scenes/clocks";
+  const auto folder = folder_of_scene("clocks");
   const std::string text =
-      replaced(small(figure_text("clocks"), kWidth, kHeight, R"(["beauty", "id"])"), "dial.obj",
+      replaced(small(scene_text("clocks"), kWidth, kHeight, R"(["beauty", "id"])"), "dial.obj",
                (folder / "dial.obj").string());
   const Scene scene = figure_scene(text);
   ASSERT_EQ(scene.objects.size(), 2U * kRow);

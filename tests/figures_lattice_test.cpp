@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "support/animation.h"
 #include "support/figure.h"
+#include "support/shown_scene.h"
 
 namespace restframe {
 namespace {
@@ -45,7 +48,7 @@ std::vector<SeenPlace> places_in(const ExrPicture& picture, const Scene& scene) 
 }
 
 std::string lattice_text(const std::string& name, int width, int height) {
-  const std::string text = small(figure_text(name), width, height, kPlaces);
+  const std::string text = small(scene_text(name), width, height, kPlaces);
   return name == "fig13_lattice_offaxis" ? with_key(text, "render", "integrator", "\"preview\"")
                                          : text;
 }
@@ -148,11 +151,64 @@ TEST(Figure12, IsSeenLongerThanAtRestWhenItComesAndShorterWhenItGoes) {
   EXPECT_NEAR(apparent_length_ratio(far_lattice(-0.99, 5), 1), 1 / ratio, 0.005 / ratio);
 }
 
+// The pixel of a front ball of figure 15 where the sun is reflected: the one with the most of the
+// channel that has the least.
+struct Reflection {
+  double brightest = 0;
+  Vec3 normal{0, 0, 1};
+  glm::dvec2 from_center{0, 0};  // of the ball's image, in pixels, x right, y down
+};
+
+Reflection reflection_on(const ExrPicture& picture, const Vec3& ball) {
+  Reflection found;
+  glm::dvec2 sum(0), place(0);
+  double pixels = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const auto at = [&](const char* name) { return static_cast<double>(picture.at(name, x, y)); };
+      if (picture.at("id_object.V", x, y) == 0) continue;
+      if (glm::length(Vec3(at("P.X"), at("P.Y"), at("P.Z")) - ball) > 0.152) continue;
+      sum += glm::dvec2(x, y), ++pixels;
+      const double least = std::min({at("R"), at("G"), at("B")});
+      if (least <= found.brightest) continue;
+      found.brightest = least;
+      found.normal = {at("N.X"), at("N.Y"), at("N.Z")};
+      place = {x, y};
+    }
+  }
+  EXPECT_GT(pixels, 50);
+  found.from_center = place - sum / pixels;
+  return found;
+}
+
+// The sun shines square across the motion, from the right. Yet each front ball reflects it on its
+// outer side, those on the left on their left: in the lattice's frame the mirror's normal is halfway
+// between the sun, which aberration has put nearly ahead, and the camera.
+TEST(Figure13, ReflectionsAreAtImpossibleAngles) {
+  std::string text =
+      small(scene_text("fig13_lattice_offaxis"), 640, 360, R"(["beauty", "P", "N", "id"])");
+  text = with_key(with_key(text, "render", "depth", "1"), "animation", "start", "0.2");
+  text = with_key(text, "animation", "pictures", "1");
+  const ExrPicture picture = rendered_animation(RESTFRAME_PROGRAM, text, 1)[0];
+  const double gamma = std::sqrt(kGamma2);
+  const Vec3 sun =
+      glm::normalize(Vec3(glm::normalize(Vec3(1, 0.5, 0)) + Vec3(0, 0, gamma * kBeta)));
+  const Vec3 camera(1.5, 0.5, gamma * (1.594 - kBeta * 0.2));
+  for (const Vec3& ball : {Vec3(1, 0, 9.5), Vec3(1, 1, 9.5), Vec3(2, 0, 9.5), Vec3(2, 1, 9.5)}) {
+    SCOPED_TRACE(::testing::Message() << "ball at " << ball.x << ' ' << ball.y);
+    const Reflection found = reflection_on(picture, ball);
+    const Vec3 halfway = glm::normalize(sun + glm::normalize(camera - ball));
+    EXPECT_GT(found.brightest, 0.3);
+    EXPECT_GT(glm::dot(found.normal, halfway), std::cos(0.15));
+    EXPECT_GT(found.from_center.x * (ball.x - 1.5), 1);
+    EXPECT_LT(found.from_center.y * (ball.y - 0.5), -1);
+  }
+}
+
 // At rest: what is seen is as much older as it is farther away, in shells half a light-second thick.
 TEST(Figure11, ShellsRunOutwards) {
-  const auto file =
-      std::filesystem::path(RESTFRAME_SOURCE_DIR) / "scenes/fig11_lattice_rest/blink.txt";
-  std::string text = replaced(figure_text("fig11_lattice_rest"), "\"blink.txt\"",
+  const auto file = folder_of_scene("fig11_lattice_rest") / "blink.txt";
+  std::string text = replaced(scene_text("fig11_lattice_rest"), "\"blink.txt\"",
                               fmt::format("\"{}\"", file.string()));
   text = small(text, 200, 112, kPlaces);
   const Scene scene = figure_scene(text);

@@ -11,6 +11,7 @@
 
 #include "support/animation.h"
 #include "support/figure.h"
+#include "support/shown_scene.h"
 
 namespace restframe {
 namespace {
@@ -43,7 +44,7 @@ double view_along_x(const ExrPicture& picture) {
 }
 
 Passage passage_of(const std::string& name) {
-  std::string text = small(figure_text("passing"), 1, 1, R"(["beauty", "doppler", "time", "id"])");
+  std::string text = small(scene_text("passing"), 1, 1, R"(["beauty", "doppler", "time", "id"])");
   text = with_key(text, "camera", "track", fmt::format("\"{}\"", name));
   text = with_key(text, "camera", "fov", "1e-3");
   const Scene scene = figure_scene(text);

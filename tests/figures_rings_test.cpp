@@ -5,6 +5,7 @@
 
 #include "support/animation.h"
 #include "support/figure.h"
+#include "support/shown_scene.h"
 #include "support/sphere_scene.h"
 
 namespace restframe {
@@ -30,7 +31,7 @@ double middle_run(const ExrPicture& picture) {
 }
 
 TEST(Figure8, RingsExpandAsLightIsDelayed) {
-  const std::string text = small(figure_text("fig08_ring"), 361, 361, R"(["beauty"])");
+  const std::string text = small(scene_text("fig08_ring"), 361, 361, R"(["beauty"])");
   const Scene scene = figure_scene(text);
   const ObserverCamera camera = figure_camera(scene);
   ASSERT_EQ(camera.position, Vec3(0, 0, 5));
@@ -49,7 +50,7 @@ TEST(Figure8, RingsExpandAsLightIsDelayed) {
 }
 
 TEST(Figure8, EveryPixelHasTheColourOfItsClock) {
-  const std::string text = small(figure_text("fig08_ring"), 120, 120, R"(["beauty"])");
+  const std::string text = small(scene_text("fig08_ring"), 120, 120, R"(["beauty"])");
   const Scene scene = figure_scene(text);
   const ObserverCamera camera = figure_camera(scene);
   const auto spheres = figure_spheres(scene, {2});
@@ -74,7 +75,7 @@ TEST(Figure8, EveryPixelHasTheColourOfItsClock) {
 
 // Each small ball is as far from the observer as its light still has to go.
 TEST(Figure9, LightArrivesFromTheMiddleFirst) {
-  const std::string text = small(figure_text("fig09_ring_steps"), 960, 600, R"(["beauty", "id"])");
+  const std::string text = small(scene_text("fig09_ring_steps"), 960, 600, R"(["beauty", "id"])");
   const Scene scene = figure_scene(text);
   const ObserverCamera camera = figure_camera(scene);
   const double focal_length = 0.5 * 600 / std::tan(0.5 * camera.vertical_fov);
@@ -104,7 +105,7 @@ TEST(Figure9, LightArrivesFromTheMiddleFirst) {
 // Clocks that agree are seen to differ by the differences of their distances.
 TEST(OutOfStep, ClocksAreSeenLaterTheFartherTheyAre) {
   const std::string text =
-      small(figure_text("out_of_step"), 1280, 300, R"(["beauty", "time", "id"])");
+      small(scene_text("out_of_step"), 1280, 300, R"(["beauty", "time", "id"])");
   const Scene scene = figure_scene(text);
   const auto pictures = rendered_animation(RESTFRAME_PROGRAM, text, scene.animation.pictures);
   const std::size_t count = scene.objects.size();

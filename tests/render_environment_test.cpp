@@ -91,7 +91,8 @@ Furnace furnace(const Vec3& velocity, const std::string& material, int depth) {
       camera_text(camera, fmt::format("samples = 64\ndepth = {}", depth)) +
       fmt::format(
           "[[object]]\nname = \"ball\"\nsphere = {{radius = 1, fineness = 6}}\nvelocity = "
-          "{}\ntime = -2\nmaterial = \"ball\"\n[[material]]\nname = \"ball\"\nbase_color = \"white\"\n{}\n",
+          "{}\ntime = -2\nmaterial = \"ball\"\n[[material]]\nname = \"ball\"\nbase_color = "
+          "\"white\"\n{}\n",
           toml(velocity), material) +
       environment({0, 0, 0});
   const ExrPicture picture = path_pictures(text, {})[0];

@@ -148,7 +148,8 @@ Scene ball_scene(int copies, double degrees, double gamma, bool within) {
   const Velocity velocity = Velocity::from_gamma(gamma, {0, 0, 1});
   for (Object& object : scene.objects) object.worldline.velocity = velocity;
   const AnchoredFrame<in::Rest> rest = scene.objects[0].worldline.rest_frame();
-  std::get<Worldline>(scene.camera.motion).reference = rest.to_world({0, Vec3(0, 0, within ? 0 : 3)});
+  std::get<Worldline>(scene.camera.motion).reference =
+      rest.to_world({0, Vec3(0, 0, within ? 0 : 3)});
   scene.camera.up = {0.1, 0.9, 0};
   scene.camera.vertical_fov = (within ? 1.8 : 0.3) / (gamma + velocity.gamma_beta().z);
   // No multiple of four: packets of 4 x 4 pixels see both sides of the middle.

@@ -78,7 +78,7 @@ Phases measured_phases(const ExrPicture& picture, const Long4& camera) {
 void expect_exact(const Phases& phases) {
   EXPECT_GT(phases.measured, 300);
   EXPECT_LT(phases.unlit, phases.measured / 5);
-  EXPECT_LT(phases.worst, 1e-3L);
+  EXPECT_LT(phases.worst, 1e-4L);
 }
 
 // Rings that do not shine.

@@ -31,7 +31,7 @@ struct Light {
   double clock = 0;          // what its clock shows at the worldline's reference ...
   bool frame_clock = false;  // ... or: the rest frame's own time, zero at the world's origin event
   Vec3 direction{0, 0, -1};  // in which its light goes; unit; spot and sun
-  std::optional<Sweep> sweep;  // spot
+  std::optional<Sweep> sweep;                             // spot
   double inner_cone = 0, outer_cone = 0.785398163397448;  // half-angles in radians; spot
   TemporalColor color{Vec3f(1)};
   // point, spot: W/sr; sun: W/m^2 across its direction, in its rest frame; environment: radiance.

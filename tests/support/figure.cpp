@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -45,13 +43,6 @@ std::optional<Span> key_span(const std::string& text, const Span& table, const s
 
 }  // namespace
 
-std::string figure_text(const std::string& name) {
-  const auto file = std::filesystem::path(RESTFRAME_SOURCE_DIR) / "scenes" / name / "scene.toml";
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error("cannot read " + file.string());
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string with_key(std::string text, const std::string& table, const std::string& key,
                      const std::string& value) {
   const std::string line = fmt::format("{} = {}\n", key, value);
@@ -67,15 +58,6 @@ std::string without_key(std::string text, const std::string& table, const std::s
   const std::optional<Span> old = place ? key_span(text, *place, key) : std::nullopt;
   if (!old) throw std::runtime_error(fmt::format("no {} in [{}]", key, table));
   return text.erase(old->begin, old->end - old->begin);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\"");
-  for (; at != std::string::npos; at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-  return text;
 }
 
 std::string small(std::string text, int width, int height, const std::string& layers) {

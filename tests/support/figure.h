@@ -3,7 +3,6 @@
 // The scenes of the paper's figures as tests use them: the files of scenes/, with some keys changed
 // so that they render quickly and hold the layers that are measured.
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,6 @@
 
 namespace restframe {
 
-// The text of scenes/NAME/scene.toml.
-std::string figure_text(const std::string& name);
-
 // With `key = value` in the first [table], in place of what it says there; the table is added where
 // there is none.
 std::string with_key(std::string text, const std::string& table, const std::string& key,
@@ -23,9 +19,6 @@ std::string with_key(std::string text, const std::string& table, const std::stri
 
 // Without that line. Throws std::runtime_error if there is none.
 std::string without_key(std::string text, const std::string& table, const std::string& key);
-
-// Every `from` replaced. Throws std::runtime_error if there is none.
-std::string replaced(std::string text, const std::string& from, const std::string& to);
 
 // Of this size and these layers, with one sample a pixel and no previews.
 std::string small(std::string text, int width, int height, const std::string& layers);
