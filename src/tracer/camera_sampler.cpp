@@ -21,7 +21,7 @@ std::size_t coprime_stride(std::size_t samples) {
 // film_offsets() begins at the centre, which data layers hold where nothing is spread over time.
 // Over a shutter's time they come with strides, since neighbours in that sequence are related.
 std::vector<Vec2f> ordered_offsets(int samples, bool over_time) {
-  const std::vector<Vec2f> offsets = film_offsets(samples);
+  std::vector<Vec2f> offsets = film_offsets(samples);
   if (!over_time) return offsets;
   const std::size_t stride = coprime_stride(offsets.size());
   std::vector<Vec2f> ordered(offsets.size());
