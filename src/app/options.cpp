@@ -24,12 +24,13 @@ First steps:
   restframe render lattice.glb              a picture of it at rest: out/lattice.0000.exr and .png
   restframe render scene.toml               an animation, as a scene file says
   restframe render scene.toml --contact-sheet sheet.png       all of it on one page
+  restframe curves                          how fast clocks are seen to run: out/curves.svg
 
 A scene file of four lines:
   [[object]]
   asset = "lattice.glb"
   position = [0, 0, -12]
-  velocity = [0, 0, 0.9]                    in fractions of c; clocks, cameras, colours: see README.md
+  velocity = [0, 0, 0.9]                    in fractions of c; clocks, cameras, lights: see README.md
 
 Exit codes: 0 done, 1 a defect of restframe, 2 bad input or options, 3 output or resources failed,
 130 interrupted.)";

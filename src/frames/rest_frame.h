@@ -96,7 +96,8 @@ class RestFrame {
   void set_origins(const EventLanes<in::World>& origin, LocalRays& local) const;
   LocalRays localised(const RayPacket& rays) const;
   LocalRays localised(const MediumRayPacket& rays) const;
-  void find_hits(LocalRays& local, bool coherent, int own_index, HitPacket& hits) const;
+  void find_hits(LocalRays& local, const Lanes<double>& s_min, const Lanes<std::int32_t>& active,
+                 bool coherent, int own_index, HitPacket& hits) const;
   unsigned context_flags(const LocalRays& local, bool coherent) const;
   // Of a hit's triangle, in traversal coordinates.
   std::array<Vec3, 3> corners(const HitPacket& hits, int lane) const;

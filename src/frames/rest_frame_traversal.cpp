@@ -201,7 +201,11 @@ unsigned RestFrame::context_flags(const LocalRays& local, bool coherent) const {
              : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 }
 
-void RestFrame::find_hits(LocalRays& local, bool coherent, int own_index, HitPacket& hits) const {
+void RestFrame::find_hits(LocalRays& local, const Lanes<double>& s_min,
+                          const Lanes<std::int32_t>& active, bool coherent, int own_index,
+                          HitPacket& hits) const {
+  clip_to_bounds(bounds_, s_min, hits.s, active, local);
+  if (!any_active(local.active)) return;
   RTCRayHit16 query;
   narrow(traversal_scale_, local, query.ray);
 #pragma GCC ivdep
@@ -218,14 +222,12 @@ void RestFrame::find_hits(LocalRays& local, bool coherent, int own_index, HitPac
 
 void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
-  clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
-  if (any_active(local.active)) find_hits(local, rays.coherent, own_index, hits);
+  find_hits(local, rays.s_min, rays.active, rays.coherent, own_index, hits);
 }
 
 void RestFrame::intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
-  clip_to_bounds(bounds_, rays.s_min, hits.s, rays.active, local);
-  if (any_active(local.active)) find_hits(local, false, own_index, hits);
+  find_hits(local, rays.s_min, rays.active, false, own_index, hits);
 }
 
 // What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on a

@@ -17,6 +17,7 @@ void PathWalk::add_lights() {
 void PathWalk::add_light(const LightPlace& light) {
   const RenderSettings& settings = stage_.scene.render;
   RayPacket shadows;
+  shadows.coherent = false;  // they begin wherever the paths are
   Lanes<double> s_max;
   Lanes<Vec3f> arriving;
   bool any = false;
