@@ -184,9 +184,9 @@ TEST_F(Video, NeitherSideWaitsForEver) {
   install("#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\nexit 0\n");
   expect_error(render(large), 3, {"ffmpeg failed"});
   EXPECT_TRUE(fs::is_empty(path("film")));
-  install("#!/bin/sh\n/bin/head -c 300000 /dev/zero | /usr/bin/tr '\\0' x\nexit 1\n");
+  install("#!/bin/sh\n/bin/head -c 300000 /dev/zero | /usr/bin/tr '\\0' y\nexit 1\n");
   const RunResult wordy = render(large);
-  expect_error(wordy, 3, {"ffmpeg failed: xxx"});
+  expect_error(wordy, 3, {"ffmpeg failed: yyy"});
   EXPECT_LT(wordy.error.size(), 1000U);
 }
 
