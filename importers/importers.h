@@ -32,11 +32,16 @@ using Path = std::filesystem::path;
 // A scene file (.toml), or an asset in its place: one object at rest at the world's origin.
 Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings);
 
-// By extension: .gltf .glb .obj
+// By extension: .gltf .glb .obj .ply .stl .off
 Asset load_asset(const Path& path, const ImportLimits& limits, Warnings& warnings);
 
 Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings);
 Asset load_obj(const Path& path, const ImportLimits& limits, Warnings& warnings);
+
+// Meshes without materials: one material, "default". Text or binary, as the file says; OFF text only.
+Asset load_ply(const Path& path, const ImportLimits& limits, Warnings& warnings);
+Asset load_stl(const Path& path, const ImportLimits& limits, Warnings& warnings);
+Asset load_off(const Path& path, const ImportLimits& limits, Warnings& warnings);
 
 // PNG or JPEG bytes; `what` names the image in errors.
 Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& what,

@@ -1,11 +1,11 @@
 #include <glm/gtc/constants.hpp>
 
-#include <bit>
 #include <cmath>
 
 #include "importers/crease_sectors.h"
 #include "importers/importers.h"
 #include "importers/index_table.h"
+#include "importers/weld.h"
 
 namespace restframe {
 namespace {
@@ -16,24 +16,13 @@ Vec3 unit(const Vec3& v) {
   return length > 0 && std::isfinite(length) ? v / length : Vec3(0);
 }
 
-std::uint32_t bits(float x) {
-  return std::bit_cast<std::uint32_t>(x == 0 ? 0.0F : x);  // 0 and -0 are one position
-}
-
-// Vertices that lie at exactly the same place are joined: seams of texture coordinates do not show.
-Surface weld(const Mesh& mesh) {
-  IndexTable table(mesh.positions.size());
-  std::vector<std::uint32_t> welded;
-  welded.reserve(mesh.positions.size());
-  for (const Vec3f& p : mesh.positions)
-    welded.push_back(table.insert({bits(p.x), bits(p.y), bits(p.z)}));
-
+Surface surface_of(const Mesh& mesh) {
+  const Weld joined = weld(mesh.positions);
   Surface surface;
-  surface.positions = static_cast<std::uint32_t>(table.keys().size());
-  surface.triangles.reserve(mesh.triangles.size());
+  surface.positions = joined.places;
+  surface.triangles = welded_triangles(mesh, joined);
   surface.face_normals.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
-    surface.triangles.push_back({welded[t[0]], welded[t[1]], welded[t[2]]});
     const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
     surface.face_normals.push_back(unit(glm::cross(b - a, c - a)));
   }
@@ -113,7 +102,7 @@ void assign(Mesh& mesh, const Sectors& sectors, const std::vector<Vec3f>& sector
 void add_normals(Mesh& mesh, double crease_degrees) {
   if (!mesh.normals.empty()) return;
   const double cos_crease = std::cos(crease_degrees * glm::pi<double>() / 180);
-  const Surface surface = weld(mesh);
+  const Surface surface = surface_of(mesh);
   const Sectors sectors = fits_half_edges(surface) ? half_edge_sectors(surface, cos_crease)
                                                    : edge_map_sectors(surface, cos_crease);
   assign(mesh, sectors, sector_normals(mesh, surface, sectors));
