@@ -47,14 +47,17 @@ std::uint32_t at_corner(const std::vector<std::uint32_t>& indices, std::size_t c
 
 }  // namespace
 
+void MeshBuilder::fail(const std::string& reason) const {
+  throw InputError(file_ + ": " + reason);
+}
+
 void MeshBuilder::expect_vertices(std::uint64_t count, std::size_t bytes_each) {
   constexpr std::uint64_t most = 0xFFFFFFFE;
   if (count > most) {
-    throw InputError(fmt::format("{}: {} vertices, at most {} are possible", file_, count, most));
+    fail(fmt::format("{} vertices, at most {} are possible", count, most));
   }
   if (count > limits_.total_bytes / bytes_each) {
-    throw InputError(fmt::format("{}: {} vertices need more than {} bytes, the limit", file_, count,
-                                 limits_.total_bytes));
+    fail(fmt::format("{} vertices need more than {} bytes, the limit", count, limits_.total_bytes));
   }
   mesh.positions.reserve(count + 1);
 }
@@ -67,7 +70,8 @@ std::string MeshBuilder::index_fault(double index) const {
   const Vec3f& p = mesh.positions[static_cast<std::size_t>(index)];
   if (is_usable(p)) return {};
   return fmt::format(
-      "vertex {}, which a face uses, lies at [{}, {}, {}]: coordinates must be finite and within "
+      "vertex {}, which a face uses, lies at [{:g}, {:g}, {:g}]: coordinates must be finite and "
+      "within "
       "1e15",
       index, p.x, p.y, p.z);
 }
@@ -80,8 +84,7 @@ void MeshBuilder::add_face(const std::vector<std::uint32_t>& corners,
     return;
   }
   if (mesh.triangles.size() + corners.size() - 2 > limits_.triangles) {
-    throw InputError(
-        fmt::format("{}: more than {} triangles, the limit", file_, limits_.triangles));
+    fail(fmt::format("more than {} triangles, the limit", limits_.triangles));
   }
   if (corners.size() == 3) return add_triangle(corners, {0, 1, 2}, attributes);
   polygon_.clear();
@@ -141,8 +144,7 @@ Mesh MeshBuilder::take(Warnings& warnings) {
     const std::string faces = faces_ == 0
                                   ? fmt::format("{} vertices, no faces", mesh.positions.size())
                                   : fmt::format("{} faces, none of three corners or more", faces_);
-    throw InputError(fmt::format("{}: nothing to render: {} (points and lines are not renderable)",
-                                 file_, faces));
+    fail(fmt::format("nothing to render: {} (points and lines are not renderable)", faces));
   }
   split_vertices();
   const std::size_t mended = mend_uvs(mesh.uvs[0]);

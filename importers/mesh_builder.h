@@ -33,6 +33,9 @@ class MeshBuilder {
   // Whether numbers of the colours may mean 0 to 255, should any be beyond 1.
   bool rgb_may_be_bytes = false, alpha_may_be_bytes = false;
 
+  // Throws InputError: "FILE: reason".
+  [[noreturn]] void fail(const std::string& reason) const;
+
   // Makes room for vertices of so many bytes each. Throws InputError beyond the limits.
   void expect_vertices(std::uint64_t count, std::size_t bytes_each);
 

@@ -107,8 +107,7 @@ class OffBody {
   void read_corner(std::string_view count) {
     const std::string_view word = words_.next_on_line();
     if (word.empty()) {
-      words_.fail(count,
-                  fmt::format("a face of {} corners ends after {}", quote(count), corners_.size()));
+      words_.fail(count, fmt::format("a face of {} corners ends after {}", count, corners_.size()));
     }
     const double index = words_.number(word);
     std::string fault = builder_.index_fault(index);

@@ -47,7 +47,7 @@ std::uint64_t read_count(TextWords& words, std::string_view word, const char* wh
 void check_room(TextWords& words, std::string_view word, std::uint64_t count, std::size_t size,
                 std::size_t least, const char* what) {
   if (count <= (size + 1) / least) return;
-  words.fail(word, fmt::format("{} {} can not be in a file of {} bytes", quote(word), what, size));
+  words.fail(word, fmt::format("{} {} can not be in a file of {} bytes", word, what, size));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "importers/mesh_asset.h"
 #include "importers/mesh_builder.h"
 #include "importers/ply_body.h"
-#include "scene/error.h"
+#include "importers/ply_texture.h"
 #include "scene/message.h"
 
 namespace restframe {
@@ -54,7 +54,9 @@ Asset load_ply(const Path& path, const ImportLimits& limits, Warnings& warnings)
   warn_of_unused(read_body(file, header, path, limits, builder), path, warnings);
   std::vector<Mesh> meshes(1);
   meshes[0] = builder.take(warnings);
-  return make_mesh_asset(path, std::move(meshes), warnings);
+  Asset asset = make_mesh_asset(path, std::move(meshes), warnings);
+  add_ply_texture(header.textures, path, limits, asset, warnings);
+  return asset;
 }
 
 }  // namespace restframe

@@ -117,7 +117,7 @@ class BodyReader {
 
   void read_vertices(const PlyElement& element) {
     const PlyFields fields = vertex_fields(element);
-    if (!fields.has_position) values_.fail("the vertices have no properties x, y and z");
+    if (!fields.has_position) builder_.fail("the vertices have no properties x, y and z");
     note_unused(element, fields);
     note_colors(element, fields);
     has_vertex_colors_ = fields.has_color;
@@ -140,11 +140,11 @@ class BodyReader {
 
   void read_faces(const PlyElement& element, bool strips) {
     if (builder_.mesh.positions.empty() && element.count > 0) {
-      values_.fail(fmt::format("element {} before any vertices", quote(element.name)));
+      builder_.fail(fmt::format("element {} before any vertices", quote(element.name)));
     }
     PlyFields fields = face_fields(element);
     if (!fields.has_corners) {
-      values_.fail(fmt::format("element {} has no list vertex_indices", quote(element.name)));
+      builder_.fail(fmt::format("element {} has no list vertex_indices", quote(element.name)));
     }
     keep_needed(fields, strips);
     note_unused(element, fields);

@@ -21,7 +21,7 @@ class PlyText {
   void skip(PlyType type, std::uint64_t count);
   bool at_end() { return words_.next().empty(); }
 
-  // Throws InputError at the last number; at the end of the header before the first.
+  // Throws InputError at the last number.
   [[noreturn]] void fail(const std::string& reason) const { words_.fail(word_, reason); }
 
  private:

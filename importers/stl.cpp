@@ -56,8 +56,9 @@ Mesh SolidBuilder::take(const std::string& name) {
 std::string corner_fault(const Vec3f& corner) {
   for (int i = 0; i < 3; ++i) {
     if (std::abs(corner[i]) <= static_cast<float>(largest_coordinate)) continue;
-    return fmt::format("a corner lies at [{}, {}, {}]: coordinates must be finite and within 1e15",
-                       corner.x, corner.y, corner.z);
+    return fmt::format(
+        "a corner lies at [{:g}, {:g}, {:g}]: coordinates must be finite and within 1e15", corner.x,
+        corner.y, corner.z);
   }
   return {};
 }

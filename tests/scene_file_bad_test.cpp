@@ -175,7 +175,7 @@ TEST_F(BadScene, Assets) {
       {"[[object]]\nasset = \"a\\u0000b\"\n", {"2:9: ", "NUL"}},
   });
   const std::vector<std::string> lines = faults("[[object]]\nasset = \"scene.toml\"\n");
-  EXPECT_THAT(lines, ElementsAre(HasSubstr("must be .gltf, .glb or .obj")));
+  EXPECT_THAT(lines, ElementsAre(HasSubstr("must be .gltf, .glb, .obj, .ply, .stl or .off")));
 }
 
 TEST_F(BadScene, Materials) {
@@ -271,8 +271,8 @@ TEST_F(BadScene, FilesThatAreNone) {
   EXPECT_THAT(fault(folder.path() / "none.glb"), HasSubstr("none.glb: no such file"));
   std::filesystem::create_directories(folder.path() / "folder.toml");
   EXPECT_THAT(fault(folder.path() / "folder.toml"), HasSubstr("folder"));
-  EXPECT_THAT(fault(folder.write("scene.txt", "x")), HasSubstr(".gltf, .glb or .obj"));
-  EXPECT_THAT(fault(folder.write("scene", "x")), HasSubstr(".gltf, .glb or .obj"));
+  EXPECT_THAT(fault(folder.write("scene.txt", "x")), HasSubstr(".gltf, .glb, .obj, .ply"));
+  EXPECT_THAT(fault(folder.write("scene", "x")), HasSubstr(".gltf, .glb, .obj, .ply"));
 }
 
 TEST_F(BadScene, NamesWithLineBreaksStayOnOneLine) {

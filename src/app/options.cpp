@@ -20,7 +20,8 @@ constexpr const char* overview =
     R"(restframe: pictures of things that move close to the speed of light.
 
 First steps:
-  restframe lattice -o lattice.glb          make an asset, or bring your own .glb, .gltf or .obj
+  restframe lattice -o lattice.glb          make an asset, or bring your own: .glb, .gltf, .obj,
+                                            .ply, .stl or .off
   restframe render lattice.glb              a picture of it at rest: out/lattice.0000.exr and .png
   restframe render scene.toml               an animation, as a scene file says
   restframe render scene.toml --contact-sheet sheet.png       all of it on one page
