@@ -37,7 +37,7 @@ class NestedSurfaces {
 
   const Mesh& mesh_;
   const std::vector<ClosedSurface>& surfaces_;
-  std::int64_t work_left_ = 100'000'000;
+  std::int64_t work_left_ = 300'000'000;
 };
 
 }  // namespace restframe

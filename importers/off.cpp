@@ -92,7 +92,7 @@ class OffBody {
       words_.fail(word, fmt::format("{} is no number of corners", quote(word)));
     }
     corners_.clear();
-    for (double i = 0; i < count; ++i) read_corner(word);
+    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i) read_corner(word);
     read_numbers();
     FaceAttributes attributes;
     const bool is_color = numbers_.size() == 3 || numbers_.size() == 4;

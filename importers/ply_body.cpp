@@ -55,7 +55,7 @@ class BodyReader {
         skip(element);
       }
     }
-    if (!values_.at_end()) unused_.push_back("what follows the last element");
+    if (!values_.at_end()) unused_.emplace_back("what follows the last element");
     return std::move(unused_);
   }
 

@@ -13,7 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 using Facet = std::array<Vec3f, 3>;
 
 std::string text_facet(const Facet& corners, const std::string& normal = "0 0 0") {
