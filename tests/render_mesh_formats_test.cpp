@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "physics/vectors.h"
 #include "support/exr_reader.h"
 #include "support/gltf_builder.h"
 #include "support/program.h"
@@ -33,8 +34,7 @@ class MeshFormats : public testing::Test {
   }
 
   // The pixel that shows (x, y, 0).
-  static void expect_color(const ExrPicture& shown, double x, double y,
-                           const glm::dvec3& expected) {
+  static void expect_color(const ExrPicture& shown, double x, double y, const Vec3& expected) {
     const int column = static_cast<int>(20 + 10 * x), row = static_cast<int>(20 - 10 * y);
     EXPECT_NEAR(shown.at("R", column, row), expected.r, 2e-3) << x << ' ' << y;
     EXPECT_NEAR(shown.at("G", column, row), expected.g, 2e-3) << x << ' ' << y;
