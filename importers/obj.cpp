@@ -9,7 +9,7 @@
 namespace restframe {
 
 Asset load_obj(const Path& path, const ImportLimits& limits, Warnings& warnings) {
-  const ObjData data = parse_obj(path, limits, warnings);
+  ObjData data = parse_obj(path, limits, warnings);
   if (data.groups.size() > limits.nodes) {
     throw InputError(fmt::format("{}: {} groups, at most {} are allowed", path.string(),
                                  data.groups.size(), limits.nodes));
@@ -17,9 +17,9 @@ Asset load_obj(const Path& path, const ImportLimits& limits, Warnings& warnings)
   Asset asset;
   asset.name = path.filename().string();
   const std::vector<int> slots = add_obj_materials(data, path, limits, asset, warnings);
-  asset.meshes = build_obj_meshes(data, slots, path.string(), warnings);
-  for (std::size_t i = 0; i < asset.meshes.size(); ++i) {
-    asset.parts.push_back({static_cast<int>(i), asset.meshes[i].name, Mat4(1)});
+  for (auto& [group, mesh] : build_obj_meshes(data, slots, path.string(), warnings)) {
+    asset.parts.push_back({static_cast<int>(asset.meshes.size()), mesh.name, Mat4(1)});
+    asset.meshes.push_back(std::move(mesh));
   }
   return asset;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-// tinyobjloader makes NaN of 0e500, and infinity of very many digits.
+// An exponent that no number that is meant has; 0e500 among them.
 bool has_huge_exponent(std::string_view word) {
   const std::size_t e = word.find_first_of("eE");
   if (e == word.npos) return false;
@@ -110,13 +110,6 @@ void TextFile::fail(std::string_view word, const std::string& reason) const {
 
 void TextFile::fail(std::size_t offset, const std::string& reason) const {
   throw InputError(position(offset) + ": " + reason);
-}
-
-std::string_view take_word(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
-  const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
-  rest.remove_prefix(word.size());
-  return word;
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -108,16 +108,22 @@ TEST_F(Obj, GivenNormalsBecomeUnitAndMissingOnesAreComputed) {
   EXPECT_THAT(warnings_, Contains(HasSubstr("1 vn lines have no length")));
 }
 
-TEST_F(Obj, VertexColoursAreKept) {
-  const Asset asset = load("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1\nv 0 1 0\nf 1 2 3\n");
-  EXPECT_EQ(asset.meshes[0].colors,
-            std::vector<Vec4f>({Vec4f(1, 0.5F, 0, 1), Vec4f(0, 0, 1, 1), Vec4f(1)}));
+// Programs write what they show: sRGB. By IEC 61966-2-1, 0.5 is ((0.5 + 0.055) / 1.055)^2.4.
+TEST_F(Obj, VertexColoursBecomeLinear) {
+  const Asset asset = load("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1 0.5\nv 0 1 0\nf 1 2 3\n");
+  const std::vector<Vec4f>& colors = asset.meshes[0].colors;
+  EXPECT_LT(glm::distance(colors[0], Vec4f(1, 0.214041F, 0, 1)), 1e-5F);
+  EXPECT_EQ(colors[1], Vec4f(0, 0, 1, 0.5F));
+  EXPECT_EQ(colors[2], Vec4f(1));
 }
 
 TEST_F(Obj, VertexColoursOfBytesAreScaled) {
-  const Asset asset = load("v 0 0 0 255 51 0\nv 1 0 0 0 0 255\nv 0 1 0 0 0 0\nf 1 2 3\n");
-  EXPECT_FLOAT_EQ(asset.meshes[0].colors[0].g, 0.2F);
-  EXPECT_FLOAT_EQ(asset.meshes[0].colors[0].a, 1);
+  const Asset asset = load("v 0 0 0 255 51 0\nv 1 0 0 0 0 255\nv 0 1 0\nf 1 2 3\n");
+  const std::vector<Vec4f>& colors = asset.meshes[0].colors;
+  EXPECT_FLOAT_EQ(colors[0].r, 1);
+  EXPECT_NEAR(colors[0].g, std::pow(0.255 / 1.055, 2.4), 1e-6);  // of 0.2
+  EXPECT_FLOAT_EQ(colors[0].a, 1);
+  EXPECT_EQ(colors[2], Vec4f(1));
   EXPECT_THAT(warnings_, Contains(HasSubstr("0 to 255")));
 }
 
