@@ -19,7 +19,7 @@ Asset load_obj(const Path& path, const ImportLimits& limits, Warnings& warnings)
   const std::vector<int> slots = add_obj_materials(data, path, limits, asset, warnings);
   asset.meshes = build_obj_meshes(data, slots, path.string(), warnings);
   for (std::size_t i = 0; i < asset.meshes.size(); ++i) {
-    asset.parts.push_back({static_cast<int>(i), asset.meshes[i].name, Mat4(1)});
+    add_part(asset, static_cast<int>(i), asset.meshes[i].name);
   }
   return asset;
 }

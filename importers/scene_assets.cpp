@@ -22,9 +22,9 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   const int first_texture = static_cast<int>(scene.textures.size());
   const int first_image = static_cast<int>(scene.images.size());
   SceneAsset added;
-  for (const Part& part : asset.parts) {
-    added.parts.push_back({first_mesh + part.mesh, part.asset_from_mesh});
-  }
+  added.parts = std::move(asset.parts);
+  for (Part& part : added.parts) part.mesh += first_mesh;
+  added.tree = std::move(asset.tree);
   for (Texture& texture : asset.textures) texture.image += first_image;
   for (Material& material : asset.materials) {
     shift(material.base_color_texture, first_texture);
@@ -38,9 +38,13 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   return added;
 }
 
-std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const Mat4& object_from_asset) {
-  std::vector<PlacedMesh> parts = asset.parts;
-  for (PlacedMesh& part : parts) part.object_from_mesh = object_from_asset * part.object_from_mesh;
+std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeMarks& nodes,
+                                     const Mat4& object_from_asset) {
+  std::vector<PlacedMesh> parts;
+  for (const Part& part : asset.parts) {
+    if (nodes[static_cast<std::size_t>(part.node)] == 0) continue;
+    parts.push_back({part.mesh, object_from_asset * part.asset_from_mesh});
+  }
   return parts;
 }
 

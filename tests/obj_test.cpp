@@ -126,7 +126,7 @@ TEST_F(Obj, GroupsBecomePartsOfTheirNames) {
                            "f 1 2 3\no ship\nf 1 2 3\ng hull left\nf 1 2 4\n"
                            "g deck\nf 1 3 4\ng hull left\nf 2 3 4\no sea\nf 1 2 3\n");
   std::vector<std::string> names;
-  for (const Part& part : asset.parts) names.push_back(part.node);
+  for (const Part& part : asset.parts) names.push_back(name_of(asset, part));
   EXPECT_THAT(names, testing::ElementsAre("", "ship", "ship/hull left", "ship/deck", "sea"));
   EXPECT_EQ(asset.meshes[2].triangles.size(), 2U);
   EXPECT_EQ(asset.meshes[2].positions.size(), 4U);
@@ -150,7 +150,7 @@ TEST_F(Obj, NormalsAreSmoothAcrossGroupsOfAnObject) {
 TEST_F(Obj, ABareGroupEndsTheGroup) {
   const Asset asset = load(square + "g a\nf 1 2 3\ng\nf 1 2 4\n");
   ASSERT_EQ(asset.parts.size(), 2U);
-  EXPECT_EQ(asset.parts[1].node, "");
+  EXPECT_EQ(name_of(asset, asset.parts[1]), "");
 }
 
 TEST_F(Obj, ConcaveQuadIsCutInside) {
