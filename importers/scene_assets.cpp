@@ -1,5 +1,6 @@
 #include "importers/scene_assets.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace restframe {
@@ -38,12 +39,15 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   return added;
 }
 
-std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeMarks& nodes,
+std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& nodes,
                                      const Mat4& object_from_asset) {
   std::vector<PlacedMesh> parts;
-  for (const Part& part : asset.parts) {
-    if (nodes[static_cast<std::size_t>(part.node)] == 0) continue;
-    parts.push_back({part.mesh, object_from_asset * part.asset_from_mesh});
+  for (const NodeRange& range : nodes) {
+    const auto is_before = [](const Part& part, int node) { return part.node < node; };
+    auto part = std::lower_bound(asset.parts.begin(), asset.parts.end(), range.begin, is_before);
+    for (; part != asset.parts.end() && part->node < range.end; ++part) {
+      parts.push_back({part->mesh, object_from_asset * part->asset_from_mesh});
+    }
   }
   return parts;
 }

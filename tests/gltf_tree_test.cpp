@@ -56,13 +56,13 @@ TEST_F(GltfTree, NodesStandDepthFirstWithTheirPlaces) {
   EXPECT_EQ(place_of(tree, 2), "/nodes/3");
   EXPECT_EQ(Vec3(tree.nodes[2].asset_from_node[3]), Vec3(10, 1, 0));
   EXPECT_EQ(tree.nodes[2].asset_from_node[0].x, 2);
-  EXPECT_EQ(subtree_end(tree, 0), 4);
-  EXPECT_EQ(subtree_end(tree, 1), 3);
-  EXPECT_EQ(subtree_end(tree, 3), 4);
+  EXPECT_EQ(subtree(tree, 0), (NodeRange{0, 4}));
+  EXPECT_EQ(subtree(tree, 1), (NodeRange{1, 3}));
+  EXPECT_EQ(subtree(tree, 3), (NodeRange{3, 4}));
   ASSERT_EQ(asset.parts.size(), 2U);
   EXPECT_EQ(asset.parts[0].node, 1);
   EXPECT_EQ(asset.parts[1].node, 2);
-  EXPECT_EQ(nodes_of_default_scene(tree), (NodeMarks{1, 1, 1, 1}));
+  EXPECT_EQ(nodes_of_default_scene(tree), (NodeRanges{{0, 4}}));
 }
 
 TEST_F(GltfTree, ScenesShareNodes) {
@@ -78,10 +78,20 @@ TEST_F(GltfTree, ScenesShareNodes) {
   EXPECT_EQ(tree.scenes[0].name, "day");
   EXPECT_EQ(tree.scenes[1].roots, (std::vector<int>{4, 0}));
   EXPECT_EQ(tree.default_scene, 1);
-  EXPECT_EQ(nodes_of_scene(tree, 0), (NodeMarks{1, 1, 1, 1, 0}));
-  EXPECT_EQ(nodes_of_default_scene(tree), (NodeMarks{1, 1, 1, 1, 1}));
+  EXPECT_EQ(nodes_of_scene(tree, 0), (NodeRanges{{0, 4}}));
+  EXPECT_EQ(nodes_of_default_scene(tree), (NodeRanges{{0, 5}}));
   EXPECT_EQ(asset.meshes.size(), 1U);
   EXPECT_EQ(asset.parts.size(), 3U);
+}
+
+TEST(NodeRanges, AreSets) {
+  EXPECT_EQ(united({{5, 7}, {1, 3}, {2, 4}, {4, 4}, {9, 9}}), (NodeRanges{{1, 4}, {5, 7}}));
+  const NodeRanges all = {{0, 4}, {6, 10}};
+  EXPECT_EQ(without(all, {{1, 2}, {3, 7}, {8, 9}}), (NodeRanges{{0, 1}, {2, 3}, {7, 8}, {9, 10}}));
+  EXPECT_EQ(without(all, {{0, 20}}), NodeRanges{});
+  EXPECT_EQ(without(all, {}), all);
+  EXPECT_EQ(without(all, {{4, 6}}), all);
+  EXPECT_EQ(common(all, {{3, 7}, {12, 13}}), (NodeRanges{{3, 4}, {6, 7}}));
 }
 
 // 683 lm/W: 1366 cd are 2 W/sr, 68.3 lx 0.1 W/m^2.
@@ -176,7 +186,9 @@ TEST_F(GltfTree, KeepsWhatIsSaidToRestframe) {
 
 TEST(GltfTreeFaults, OfLights) {
   const std::string at = "/extensions/KHR_lights_punctual/lights";
-  const auto with = [&](const json& light) { return set("/extensions", lights(json::array({light}))); };
+  const auto with = [&](const json& light) {
+    return set("/extensions", lights(json::array({light})));
+  };
   expect_damage(with({{"intensity", 1}}), at + "/0: type is missing");
   expect_damage(with({{"type", "area"}}), at + "/0/type: is \"area\"",
                 "must be one of point, spot, directional");

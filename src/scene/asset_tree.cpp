@@ -21,28 +21,59 @@ std::string place_of(const AssetTree& tree, int node) {
   return tree.number_prefix + std::to_string(number);
 }
 
-int subtree_end(const AssetTree& tree, int node) {
+NodeRange subtree(const AssetTree& tree, int node) {
   const auto count = static_cast<int>(tree.nodes.size());
   int end = node + 1;
   while (end < count && tree.nodes[static_cast<std::size_t>(end)].parent >= node) ++end;
-  return end;
+  return {node, end};
 }
 
-NodeMarks nodes_of_scene(const AssetTree& tree, int scene) {
-  NodeMarks marks(tree.nodes.size(), tree.scenes.empty() ? 1 : 0);
-  if (tree.scenes.empty()) return marks;
+NodeRanges nodes_of_scene(const AssetTree& tree, int scene) {
+  if (tree.scenes.empty()) return united({{0, static_cast<int>(tree.nodes.size())}});
+  std::vector<NodeRange> ranges;
   for (const int root : tree.scenes[static_cast<std::size_t>(scene)].roots) {
-    marks[static_cast<std::size_t>(root)] = 1;
+    ranges.push_back(subtree(tree, root));
   }
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    const int parent = tree.nodes[i].parent;
-    if (parent >= 0) marks[i] = marks[static_cast<std::size_t>(parent)];
-  }
-  return marks;
+  return united(std::move(ranges));
 }
 
-NodeMarks nodes_of_default_scene(const AssetTree& tree) {
+NodeRanges nodes_of_default_scene(const AssetTree& tree) {
   return nodes_of_scene(tree, tree.default_scene);
+}
+
+NodeRanges united(std::vector<NodeRange> ranges) {
+  std::sort(ranges.begin(), ranges.end(),
+            [](const NodeRange& a, const NodeRange& b) { return a.begin < b.begin; });
+  NodeRanges result;
+  for (const NodeRange& range : ranges) {
+    if (range.begin >= range.end) continue;
+    if (!result.empty() && range.begin <= result.back().end) {
+      result.back().end = std::max(result.back().end, range.end);
+    } else {
+      result.push_back(range);
+    }
+  }
+  return result;
+}
+
+NodeRanges without(const NodeRanges& nodes, const NodeRanges& others) {
+  NodeRanges result;
+  auto other = others.begin();
+  for (const NodeRange& range : nodes) {
+    int begin = range.begin;
+    while (other != others.end() && other->end <= begin) ++other;
+    for (auto inside = other; inside != others.end() && inside->begin < range.end; ++inside) {
+      if (inside->begin > begin) result.push_back({begin, inside->begin});
+      begin = std::max(begin, inside->end);
+      other = inside;
+    }
+    if (begin < range.end) result.push_back({begin, range.end});
+  }
+  return result;
+}
+
+NodeRanges common(const NodeRanges& nodes, const NodeRanges& others) {
+  return without(nodes, without(nodes, others));
 }
 
 NodePose pose_of(const AssetNode& node) {

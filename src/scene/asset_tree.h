@@ -62,16 +62,27 @@ struct AssetTree {
 // "/nodes/3", or "12", a line; for messages "FILE:PLACE: ...".
 std::string place_of(const AssetTree& tree, int node);
 
-// The first index behind the node and all that is below it.
-int subtree_end(const AssetTree& tree, int node);
+// Nodes from `begin` up to, not including, `end`.
+struct NodeRange {
+  int begin = 0, end = 0;
 
-// Of each node, whether it is in the scene (an index). Bytes, since vector<bool> is none of its
-// type.
-using NodeMarks = std::vector<char>;
-NodeMarks nodes_of_scene(const AssetTree& tree, int scene);
+  bool operator==(const NodeRange&) const = default;
+};
+// Any set of nodes: in rising order, apart from each other, none empty.
+using NodeRanges = std::vector<NodeRange>;
 
-// The nodes that are shown where nobody chooses: those of the default scene.
-NodeMarks nodes_of_default_scene(const AssetTree& tree);
+// The node and all that is below it.
+NodeRange subtree(const AssetTree& tree, int node);
+
+NodeRanges nodes_of_scene(const AssetTree& tree, int scene);
+// The nodes that are shown where nobody chooses.
+NodeRanges nodes_of_default_scene(const AssetTree& tree);
+
+// Ranges in any order, which may overlap.
+NodeRanges united(std::vector<NodeRange> ranges);
+// Those of `nodes` that are not among the others; and those that are.
+NodeRanges without(const NodeRanges& nodes, const NodeRanges& others);
+NodeRanges common(const NodeRanges& nodes, const NodeRanges& others);
 
 // What is at a node: where, in the asset's coordinates; which way (-Z) and what is up (+Y), unit
 // lengths. Both are 0 where the transform squeezes them to nothing or along each other.
