@@ -24,6 +24,12 @@ struct ObjRun {
   int smoothing;
 };
 
+inline std::uint32_t end_of_run(const std::vector<ObjRun>& runs, std::size_t run,
+                                std::size_t triangles) {
+  return run + 1 < runs.size() ? runs[run + 1].first_triangle
+                               : static_cast<std::uint32_t>(triangles);
+}
+
 // A face of more than three corners: its triangles are consecutive.
 struct ObjPolygon {
   std::uint32_t first_triangle, triangles;
@@ -32,7 +38,8 @@ struct ObjPolygon {
 // What `o` and `g` statements name.
 struct ObjGroup {
   std::string object, group;
-  int object_index;  // the same for groups of one object
+  int object_index;             // the same for groups of one object
+  int object_line, group_line;  // of the statement; 0: there is none
 };
 
 // An mtllib statement.

@@ -145,6 +145,9 @@ void complete_normals(ObjPiece& piece) {
   std::vector<Vec3f>& normals = piece.mesh.normals;
   if (!normals.empty() && std::none_of(normals.begin(), normals.end(), is_missing)) return;
   if (piece.runs[0].smoothing == smooth_by_crease) return complete_by_crease(piece.mesh);
+  const auto is_flat = [](const ObjRun& run) { return run.smoothing == smooth_never; };
+  const bool all_flat = std::all_of(piece.runs.begin(), piece.runs.end(), is_flat);
+  if (normals.empty() && piece.polygons.empty() && all_flat) return;
   NormalTable table(piece);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <climits>
 #include <map>
 #include <set>
 #include <utility>
@@ -94,9 +95,12 @@ class ObjParser {
       use_material(trimmed(rest));
     } else if (keyword == "g") {
       group_ = joined_words(rest);
+      group_line_ = line_number(keyword);
     } else if (keyword == "o") {
       object_ = trimmed(rest);
+      object_line_ = line_number(keyword);
       group_.clear();
+      group_line_ = 0;
     } else if (keyword == "s") {
       set_smoothing(keyword, rest);
     } else if (keyword == "mtllib") {
@@ -105,6 +109,10 @@ class ObjParser {
       note_unused(keyword);
     }
     run_is_current_ = false;
+  }
+
+  int line_number(std::string_view keyword) const {
+    return static_cast<int>(std::min<std::uint64_t>(lines_.place(keyword).line, INT_MAX));
   }
 
   // Without a name: none from here on.
@@ -173,7 +181,7 @@ class ObjParser {
     if (is_new) {
       const auto object = objects_.try_emplace(object_, data_.objects);
       data_.objects += object.second ? 1 : 0;
-      data_.groups.push_back({object_, group_, object.first->second});
+      data_.groups.push_back({object_, group_, object.first->second, object_line_, group_line_});
     }
     return entry->second;
   }
@@ -191,6 +199,7 @@ class ObjParser {
   ObjVectors vectors_;
   ObjFaces faces_;
   std::string object_, group_;
+  int object_line_ = 0, group_line_ = 0;
   int material_ = -1, smoothing_ = smooth_by_crease;
   bool run_is_current_ = false;
   std::map<std::string, int, std::less<>> materials_;

@@ -132,8 +132,15 @@ TEST_F(Obj, GroupsBecomePartsOfTheirNames) {
                            "f 1 2 3\no ship\nf 1 2 3\ng hull left\nf 1 2 4\n"
                            "g deck\nf 1 3 4\ng hull left\nf 2 3 4\no sea\nf 1 2 3\n");
   std::vector<std::string> names;
-  for (const Part& part : asset.parts) names.push_back(part.node);
-  EXPECT_THAT(names, testing::ElementsAre("", "ship", "ship/hull left", "ship/deck", "sea"));
+  for (const Part& part : asset.parts) names.push_back(name_of(asset, part));
+  EXPECT_THAT(names, testing::ElementsAre("", "ship", "hull left", "deck", "sea"));
+  const auto& nodes = asset.tree.nodes;
+  EXPECT_EQ(nodes[1].parent, -1);
+  EXPECT_EQ(nodes[2].parent, 1);
+  EXPECT_EQ(nodes[3].parent, 1);
+  EXPECT_EQ(nodes[4].parent, -1);
+  EXPECT_EQ(place_of(asset.tree, 2), "8");  // its line
+  EXPECT_EQ(asset.meshes[2].name, "ship/hull left");
   EXPECT_EQ(asset.meshes[2].triangles.size(), 2U);
   EXPECT_EQ(asset.meshes[2].positions.size(), 4U);
   EXPECT_EQ(asset.meshes[3].positions.size(), 3U);
@@ -156,7 +163,7 @@ TEST_F(Obj, NormalsAreSmoothAcrossGroupsOfAnObject) {
 TEST_F(Obj, ABareGroupEndsTheGroup) {
   const Asset asset = load(square + "g a\nf 1 2 3\ng\nf 1 2 4\n");
   ASSERT_EQ(asset.parts.size(), 2U);
-  EXPECT_EQ(asset.parts[1].node, "");
+  EXPECT_EQ(name_of(asset, asset.parts[1]), "");
 }
 
 TEST_F(Obj, ConcaveQuadIsCutInside) {
