@@ -163,7 +163,8 @@ TEST_F(Obj, NormalsAreSmoothAcrossGroupsOfAnObject) {
 TEST_F(Obj, ABareGroupEndsTheGroup) {
   const Asset asset = load(square + "g a\nf 1 2 3\ng\nf 1 2 4\n");
   ASSERT_EQ(asset.parts.size(), 2U);
-  EXPECT_EQ(name_of(asset, asset.parts[1]), "");
+  EXPECT_EQ(name_of(asset, asset.parts[0]), "");
+  EXPECT_EQ(name_of(asset, asset.parts[1]), "a");
 }
 
 TEST_F(Obj, ConcaveQuadIsCutInside) {
