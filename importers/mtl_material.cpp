@@ -21,7 +21,7 @@ class Converter {
     Material result = grey_material(source_.name);
     if (const auto kd = color("kd", "Kd", 1)) result.base_color.value = *kd;
     if (const auto ke = color("ke", "Ke", greatest)) result.emission.value = *ke;
-    if (const auto ni = number("ni", "Ni", 1, greatest)) result.ior.value = *ni;
+    if (!is_zero("ni")) result.ior.value = number("ni", "Ni", 1, greatest).value_or(1.5F);
     if (const auto pm = number("pm", "Pm", 0, 1)) result.metallic.value = *pm;
     result.roughness.value = roughness();
     result.opacity.value = opacity();
@@ -70,6 +70,12 @@ class Converter {
     material.opacity.value = 1;
     const auto tf = color("tf", "Tf", 1);
     if (!is_given) material.base_color.value = tf.value_or(Vec3f(1));
+  }
+
+  // Programs write an index of refraction of 0 where they have none.
+  bool is_zero(const char* key) const {
+    const auto given = source_.numbers.find(key);
+    return given != source_.numbers.end() && given->second == 0;
   }
 
   std::optional<float> number(const char* key, const char* written, float least, float most) {

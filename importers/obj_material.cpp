@@ -104,7 +104,9 @@ std::vector<int> add_obj_materials(const ObjData& data, const Path& path,
   const bool some_without = std::any_of(data.runs.begin(), data.runs.end(),
                                         [](const ObjRun& run) { return run.material < 0; });
   slots.push_back(some_without ? static_cast<int>(asset.materials.size()) : -1);
-  if (some_without) asset.materials.push_back(grey_material("default"));
+  if (!some_without) return slots;
+  asset.materials.push_back(grey_material("default"));
+  if (!data.colors.empty()) asset.materials.back().base_color.value = Vec3f(1);  // theirs alone
   return slots;
 }
 

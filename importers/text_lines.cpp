@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -123,8 +122,10 @@ bool read_number(std::string_view word, double& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
+  // strtod would tell, but goes by the locale. So short a word is too small only by its exponent.
   if (error == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(word).c_str(), nullptr);
+    if (word.find("e-") == word.npos && word.find("E-") == word.npos) return false;
+    value = 0;
   }
   return error != std::errc::invalid_argument && stop == end && std::isfinite(value);
 }
