@@ -1,18 +1,36 @@
 // glTF 2.0: container -> JSON -> checks -> tinygltf's model -> meshes, parts, materials and images.
 
 #include <algorithm>
+#include <tuple>
 
 #include "importers/gltf_check.h"
 #include "importers/gltf_container.h"
 #include "importers/gltf_geometry.h"
 #include "importers/gltf_images.h"
+#include "importers/gltf_lights.h"
 #include "importers/gltf_material.h"
 #include "importers/gltf_mesh.h"
 #include "importers/gltf_model.h"
 #include "importers/gltf_nodes.h"
+#include "importers/gltf_take_extras.h"
 
 namespace restframe {
 namespace {
+
+// What the document says of the tree besides its nodes.
+struct GltfTreeParts {
+  AssetTree tree;  // lights, cameras, and extras with glTF's indices
+  std::vector<int> light_indices;
+};
+
+GltfTreeParts take_tree_parts(const GltfContext& context, Json& document) {
+  GltfTreeParts parts;
+  parts.tree.lights = read_gltf_lights(document);
+  parts.tree.cameras = read_gltf_cameras(document);
+  parts.light_indices = read_light_indices(document);
+  parts.tree.extras = take_extras(context, document);
+  return parts;
+}
 
 void fit_to_length(const GltfContext& context, const std::string& pointer, Bytes& bytes,
                    std::size_t length, std::size_t tolerated) {
@@ -60,7 +78,7 @@ void read_meshes(const GltfContext& context, const tinygltf::Model& model, Asset
   for (std::size_t i = 0; i < kept.size(); ++i) {
     Mesh mesh = read_mesh(context, model, i, default_slot);
     if (kept[i] < 0) {
-      context.warn("/meshes/" + std::to_string(i), "no node of the scene places this mesh");
+      context.warn("/meshes/" + std::to_string(i), "no node of a scene places this mesh");
       continue;
     }
     kept[i] = mesh.triangles.empty() ? -1 : static_cast<int>(asset.meshes.size());
@@ -86,11 +104,36 @@ void add_default_material(const tinygltf::Model& model, Asset& asset) {
   asset.materials.push_back(material);
 }
 
+// Gives the extras of nodes the nodes' places in the tree, and drops those that are in no scene.
+void connect_extras(const GltfContext& context, const std::vector<int>& new_index,
+                    AssetTree& tree) {
+  std::vector<AssetExtras> connected;
+  for (AssetExtras& extras : tree.extras) {
+    if (extras.of == ExtrasOf::node) {
+      const int node = new_index[static_cast<std::size_t>(extras.index)];
+      if (node < 0) {
+        context.warn(extras.place, "is left out: no scene has this node");
+        continue;
+      }
+      require_bounded(context, extras.index,
+                      tree.nodes[static_cast<std::size_t>(node)].asset_from_node);
+      extras.index = node;
+    }
+    connected.push_back(std::move(extras));
+  }
+  tree.extras = std::move(connected);
+  std::stable_sort(tree.extras.begin(), tree.extras.end(),
+                   [](const AssetExtras& a, const AssetExtras& b) {
+                     return std::tie(a.of, a.index) < std::tie(b.of, b.index);
+                   });
+}
+
 Asset assemble(const GltfContext& context, const tinygltf::Model& model,
-               const std::vector<ImageSource>& images) {
+               const std::vector<ImageSource>& images, GltfTreeParts parts) {
   Asset asset;
   asset.name = context.path.filename().string();
-  asset.parts = place_meshes(context, model);
+  asset.tree = std::move(parts.tree);
+  connect_extras(context, place_nodes(context, model, parts.light_indices, asset), asset.tree);
   read_meshes(context, model, asset);
   std::vector<UsedImage> used_images;
   read_materials(context, model, asset, used_images);
@@ -109,9 +152,10 @@ Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings
   container.json = {};
   check_gltf(context, document);
   const std::vector<ImageSource> images = take_image_sources(document);
+  GltfTreeParts tree_parts = take_tree_parts(context, document);
   std::vector<Bytes> buffers = read_buffers(context, document, std::move(container.bin));
   const tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
-  Asset asset = assemble(context, model, images);
+  Asset asset = assemble(context, model, images, std::move(tree_parts));
   asset.files = std::move(files);
   return asset;
 }

@@ -19,6 +19,8 @@ void check_accessors(const Place& document);
 void check_materials(const Place& document);
 void check_meshes(const Place& document);
 void check_nodes(const Place& document);
+void check_lights(const Place& document);
+void check_cameras(const Place& document);
 void check_unread(const Place& document);  // skins and animations: their references
 
 // The number of elements of a top-level array.

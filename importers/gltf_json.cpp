@@ -47,7 +47,7 @@ class Builder : public nlohmann::json_sax<Json> {
   bool key(string_t& key) override {
     if (skipped_depth_ > 0) return true;
     Json& object = *open_.back();
-    skip_next_ = key == "extras";
+    skip_next_ = open_.size() == extras_depth_ ? key != "restframe" : starts_extras(key);
     if (object.contains(key)) context_.fault(pointer(), "key " + quote(key) + " is there twice");
     key_ = std::move(key);
     return true;
@@ -71,19 +71,33 @@ class Builder : public nlohmann::json_sax<Json> {
       context_.fault(pointer(), "nested deeper than the limit of " +
                                     std::to_string(context_.limits.json_depth));
     }
-    if (skipped_depth_ > 0 || skip_next_) {
+    const bool enters_extras = skip_next_ && key_ == "extras" && may_keep_extras() &&
+                               skipped_depth_ == 0 && container.is_object();
+    if ((skipped_depth_ > 0 || skip_next_) && !enters_extras) {
       skip_next_ = false;
       ++skipped_depth_;
     } else {
+      skip_next_ = false;
       open_.push_back(place(std::move(container)));
+      if (enters_extras) extras_depth_ = open_.size();
     }
     return true;
   }
+
+  // Inside `extras.restframe` the word has no meaning.
+  bool starts_extras(const std::string& key) const {
+    return key == "extras" && (extras_depth_ == 0 || open_.size() < extras_depth_);
+  }
+
+  // Elements of the document's arrays (document, array, element), and of those of its extensions
+  // (document, extensions, extension, array, element) may have an `extras.restframe`.
+  bool may_keep_extras() const { return open_.size() == 3 || open_.size() == 5; }
 
   bool end() {
     if (skipped_depth_ > 0) {
       --skipped_depth_;
     } else {
+      if (open_.size() == extras_depth_) extras_depth_ = 0;
       open_.pop_back();
     }
     return true;
@@ -135,6 +149,7 @@ class Builder : public nlohmann::json_sax<Json> {
   std::vector<Json*> open_;
   std::string key_;
   std::size_t skipped_depth_ = 0;
+  std::size_t extras_depth_ = 0;  // of an open `extras` in open_; 0: none is
   bool skip_next_ = false;
   std::size_t values_ = 0;
 };

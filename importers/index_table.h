@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace restframe {
@@ -33,6 +34,12 @@ class IndexTable {
   }
 
   const std::vector<Key>& keys() const { return keys_; }
+
+  // The table is empty afterwards.
+  std::vector<Key> take_keys() {
+    slots_ = std::vector<std::uint32_t>(16, empty);
+    return std::exchange(keys_, {});
+  }
 
  private:
   static constexpr std::uint32_t empty = 0xFFFFFFFFU;

@@ -26,7 +26,8 @@ GlbWriter glb_of(const Asset& asset) {
 void write_nodes(const Asset& asset, const Path& path) {
   GlbWriter glb = glb_of(asset);
   for (const Part& part : asset.parts) {
-    glb.add_node(part.node, part.mesh, Mat3(part.asset_from_mesh), Vec3(part.asset_from_mesh[3]));
+    glb.add_node(name_of(asset, part), part.mesh, Mat3(part.asset_from_mesh),
+                 Vec3(part.asset_from_mesh[3]));
   }
   glb.write(path);
 }

@@ -3,93 +3,106 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
-#include <map>
-#include <sstream>
+#include <set>
 
+#include "importers/line_reader.h"
+#include "importers/mtl_map.h"
 #include "importers/text_lines.h"
 #include "scene/message.h"
 
 namespace restframe {
 namespace {
 
-// Rewrites an MTL file to what tinyobjloader reads without mistakes: only keys that are used,
-// checked numbers, three for a colour, every material with a name of its own.
-class MtlRewriter {
- public:
-  MtlRewriter(TextFile& file, Warnings& warnings) : file_(file), warnings_(warnings) {}
+// Keys that have spellings of their own for the same.
+const std::map<std::string, std::string, std::less<>>& map_keys() {
+  static const std::map<std::string, std::string, std::less<>> keys = {
+      {"map_kd", "kd"},     {"map_ke", "ke"},     {"map_ks", "ks"},    {"map_d", "d"},
+      {"map_pr", "pr"},     {"map_pm", "pm"},     {"map_ps", "ps"},    {"map_pc", "pc"},
+      {"map_pcr", "pcr"},   {"map_bump", "bump"}, {"bump", "bump"},    {"norm", "norm"},
+      {"map_norm", "norm"}, {"map_kn", "norm"},   {"map_opacity", "d"}};
+  return keys;
+}
 
-  std::string run() {
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::string in_lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+class MtlReader {
+ public:
+  MtlReader(const Path& path, const ImportLimits& limits, Warnings& warnings)
+      : lines_(path, limits.total_bytes), warnings_(warnings) {}
+
+  std::vector<MtlMaterial> run() {
     std::string_view line;
-    while (file_.next_line(line)) add_line(line);
-    if (!unused_.empty()) {
-      const std::string list = fmt::format("{}", fmt::join(unused_, ", "));
-      warnings_.push_back(fmt::format("{}: not used: {}", file_.path().string(), list));
-    }
-    return std::move(text_);
+    while (lines_.next_line(line)) read_line(line);
+    warn_of("not used", unused_);
+    warn_of("texture options that are not used", unused_options_);
+    return std::move(materials_);
   }
 
-  std::vector<MtlMaterial> materials;  // without values
-
  private:
-  void add_line(std::string_view line) {
+  void read_line(std::string_view line) {
     std::string_view rest = line;
-    const std::string_view key = take_word(rest);
-    if (key.empty() || key[0] == '#') return;
+    const std::string_view written = take_word(rest);
+    if (written.empty() || written[0] == '#') return;
+    const std::string key = in_lower_case(written);
     if (key == "newmtl") {
       start_material(rest);
-    } else if (materials.empty()) {
-      file_.fail(key, fmt::format("{} before the first newmtl", quote(key)));
-    } else if (key == "Kd" || key == "Ke") {
-      add_color(key, rest);
-    } else if (key == "d" || key == "Tr" || key == "Ns" || key == "Ni" || key == "Pr" ||
-               key == "Pm") {
-      add_number(key, rest);
-    } else if (key == "map_Kd" || key == "map_Ke") {
-      emit(key, trimmed(rest));
-    } else {
-      note_unused(key);
+    } else if (materials_.empty()) {
+      lines_.fail(written, fmt::format("{} before the first newmtl", quote(written)));
+    } else if (is_one_of(key, {"kd", "ks", "ke", "tf"})) {
+      add_color(written, key, rest);
+    } else if (is_one_of(key, {"d", "tr", "ns", "ni", "illum", "pr", "pm", "ps", "pc", "pcr"})) {
+      add_number(written, key, rest);
+    } else if (const auto map = map_keys().find(key); map != map_keys().end()) {
+      materials_.back().maps[map->second] = read_mtl_map(written, rest, lines_, unused_options_);
+    } else if (key != "ka") {  // ambient light stands in for light that is not traced
+      note_unused(written);
     }
   }
 
   void start_material(std::string_view rest) {
     constexpr std::size_t most = 100'000;
-    if (materials.size() >= most) file_.fail(rest, fmt::format("more than {} materials", most));
-    materials.push_back({std::string(trimmed(rest)), {}, {}, file_.path()});
-    text_ += fmt::format("newmtl {}\n", materials.size());
+    if (materials_.size() >= most) lines_.fail(rest, fmt::format("more than {} materials", most));
+    materials_.push_back({std::string(trimmed(rest)), lines_.path(), {}, {}, {}});
   }
 
-  void emit(std::string_view key, std::string_view value) {
-    text_.append(key).append(" ").append(value).append("\n");
-    materials.back().given.emplace(key);
-  }
-
-  void check_number(std::string_view word, std::string_view key) {
+  float read(std::string_view word, std::string_view key) const {
     double value = 0;
-    if (word.empty()) file_.fail(key, fmt::format("{} without a number", key));
-    if (!read_number(word, value)) file_.fail(word, number_fault(word));
+    if (word.empty() || word[0] == '#') lines_.fail(key, fmt::format("{} without a number", key));
+    if (!read_number(word, value)) lines_.fail(word, number_fault(word));
+    constexpr double largest = 1e30;
+    return static_cast<float>(std::clamp(value, -largest, largest));
   }
 
   // "r g b", or "r" for a grey.
-  void add_color(std::string_view key, std::string_view rest) {
+  void add_color(std::string_view written, const std::string& key, std::string_view rest) {
     const std::string_view r = take_word(rest), g = take_word(rest), b = take_word(rest);
     if (r == "spectral" || r == "xyz") {
-      warnings_.push_back(
-          fmt::format("{}: {} in terms of {} is not used", file_.position(r), key, r));
+      warnings_.push_back(fmt::format("{}: {} in terms of {} is not used",
+                                      lines_.position(lines_.place(r)), written, r));
       return;
     }
-    check_number(r, key);
-    if (g.empty() || g[0] == '#') return emit(key, fmt::format("{} {} {}", r, r, r));
-    check_number(g, key);
-    check_number(b, key);
-    emit(key, fmt::format("{} {} {}", r, g, b));
+    Vec3f color(read(r, written));
+    if (!g.empty() && g[0] != '#') color = Vec3f(color.r, read(g, written), read(b, written));
+    materials_.back().colors[key] = color;
   }
 
-  void add_number(std::string_view key, std::string_view rest) {
+  void add_number(std::string_view written, const std::string& key, std::string_view rest) {
     std::string_view word = take_word(rest);
-    if (word == "-halo") word = take_word(rest);
-    check_number(word, key);
-    emit(key, word);
+    if (word == "-halo") {
+      unused_.insert("d -halo");
+      word = take_word(rest);
+    }
+    materials_.back().numbers[key] = read(word, written);
   }
 
   void note_unused(std::string_view key) {
@@ -97,28 +110,24 @@ class MtlRewriter {
     if (unused_.size() < most) unused_.insert(key.size() > 24 ? quote(key) : std::string(key));
   }
 
-  TextFile& file_;
+  void warn_of(const char* what, const std::set<std::string>& list) const {
+    if (list.empty()) return;
+    warnings_.push_back(
+        fmt::format("{}: {}: {}", lines_.path().string(), what, fmt::join(list, ", ")));
+  }
+
+  LineReader lines_;
   Warnings& warnings_;
-  std::string text_;
-  std::set<std::string> unused_;
+  std::vector<MtlMaterial> materials_;
+  std::set<std::string> unused_, unused_options_;
 };
 
 }  // namespace
 
 void read_mtl(const Path& path, const ImportLimits& limits, std::vector<MtlMaterial>& materials,
               Warnings& warnings) {
-  TextFile file(path, limits.total_bytes);
-  MtlRewriter rewriter(file, warnings);
-  std::istringstream stream(rewriter.run());
-
-  std::map<std::string, int> names;
-  std::vector<tinyobj::material_t> values;
-  std::string warning, error;
-  tinyobj::LoadMtl(&names, &values, &stream, &warning, &error);
-  for (std::size_t i = 0; i < rewriter.materials.size(); ++i) {
-    rewriter.materials[i].values = std::move(values.at(i));
-  }
-  std::move(rewriter.materials.begin(), rewriter.materials.end(), std::back_inserter(materials));
+  std::vector<MtlMaterial> read = MtlReader(path, limits, warnings).run();
+  std::move(read.begin(), read.end(), std::back_inserter(materials));
 }
 
 }  // namespace restframe

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
 
 #include "importers/asset_file.h"
+#include "importers/mtl_material.h"
 #include "importers/mtl_read.h"
 #include "importers/obj_texture.h"
 #include "importers/text_lines.h"
@@ -17,17 +17,6 @@
 
 namespace restframe {
 namespace {
-
-constexpr float default_grey = 0.8F;
-
-Material grey_material(const std::string& name) {
-  Material result;
-  result.name = name;
-  result.base_color.value = Vec3f(default_grey);
-  result.metallic.value = 0;
-  result.double_sided = true;
-  return result;
-}
 
 std::optional<Path> find_library(const Path& folder, const ObjLibrary& library,
                                  const std::string& name) {
@@ -72,55 +61,6 @@ std::vector<MtlMaterial> read_libraries(const ObjData& data, const Path& path,
   return result;
 }
 
-// Brings MTL's numbers into the ranges of Material.
-class Converter {
- public:
-  Converter(const MtlMaterial& source, Warnings& warnings) : source_(source), warnings_(warnings) {}
-
-  Material convert() {
-    const tinyobj::material_t& values = source_.values;
-    Material result = grey_material(source_.name);
-    if (given("map_Kd")) result.base_color.value = Vec3f(1);
-    if (given("Kd")) result.base_color.value = color("Kd", values.diffuse, 1);
-    if (given("Ke")) result.emission.value = color("Ke", values.emission, greatest_emission);
-    if (given("d") || given("Tr")) {
-      result.opacity.value = clamped(given("d") ? "d" : "Tr", values.dissolve, 1);
-    }
-    if (result.opacity.value < 1) result.alpha_mode = AlphaMode::blend;
-    // Phong's exponent as the width of a microfacet lobe.
-    if (given("Ns")) {
-      result.roughness.value =
-          std::sqrt(2 / (clamped("Ns", values.shininess, greatest_exponent) + 2));
-    }
-    if (given("Ni")) result.ior.value = clamped("Ni", values.ior, greatest_ior, 1);
-    if (given("Pr")) result.roughness.value = clamped("Pr", values.roughness, 1);
-    if (given("Pm")) result.metallic.value = clamped("Pm", values.metallic, 1);
-    return result;
-  }
-
- private:
-  static constexpr float greatest_exponent = 1e9F, greatest_emission = 1e15F, greatest_ior = 1e15F;
-
-  bool given(const char* key) const { return source_.given.count(key) > 0; }
-
-  float clamped(const char* key, float value, float greatest, float least = 0) {
-    if (value >= least && value <= greatest) return value;
-    warnings_.push_back(fmt::format("{}: material {}: {} is {}, brought into {} to {}",
-                                    source_.file.string(), quote(source_.name), key, value, least,
-                                    greatest));
-    return value > greatest ? greatest : least;
-  }
-
-  Vec3f color(const char* key, const tinyobj::real_t (&rgb)[3], float greatest) {
-    Vec3f result;
-    for (int i = 0; i < 3; ++i) result[i] = clamped(key, rgb[i], greatest);
-    return result;
-  }
-
-  const MtlMaterial& source_;
-  Warnings& warnings_;
-};
-
 void warn_of_unknown(const std::vector<std::string>& names, const Path& path, Warnings& warnings) {
   constexpr std::size_t most = 8;
   if (names.empty()) return;
@@ -156,7 +96,7 @@ std::vector<int> add_obj_materials(const ObjData& data, const Path& path,
       unknown.push_back(name);
       asset.materials.push_back(grey_material(name));
     } else {
-      asset.materials.push_back(Converter(*known->second, warnings).convert());
+      asset.materials.push_back(material_from_mtl(*known->second, warnings));
       textures.apply(*known->second, asset.materials.back());
     }
   }
@@ -164,7 +104,9 @@ std::vector<int> add_obj_materials(const ObjData& data, const Path& path,
   const bool some_without = std::any_of(data.runs.begin(), data.runs.end(),
                                         [](const ObjRun& run) { return run.material < 0; });
   slots.push_back(some_without ? static_cast<int>(asset.materials.size()) : -1);
-  if (some_without) asset.materials.push_back(grey_material("default"));
+  if (!some_without) return slots;
+  asset.materials.push_back(grey_material("default"));
+  if (!data.colors.empty()) asset.materials.back().base_color.value = Vec3f(1);  // theirs alone
   return slots;
 }
 

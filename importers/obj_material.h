@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "importers/importers.h"
-#include "importers/obj_parse.h"
+#include "importers/obj_data.h"
 
 namespace restframe {
 

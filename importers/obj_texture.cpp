@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
 #include <vector>
 
 #include "importers/asset_file.h"
@@ -14,75 +14,169 @@
 namespace restframe {
 namespace {
 
-// Options that would change what the picture shows where, and which are not followed.
-bool has_unused_options(const tinyobj::texture_option_t& options) {
-  const auto differs = [](const tinyobj::real_t(&v)[3], tinyobj::real_t expected) {
-    return v[0] != expected || v[1] != expected || v[2] != expected;
-  };
-  return differs(options.origin_offset, 0) || differs(options.scale, 1) ||
-         differs(options.turbulence, 0) || options.brightness != 0 || options.contrast != 1;
+using Bytes = std::vector<std::uint8_t>;
+
+// The channel of a map that is a number each pixel.
+ChannelSource scalar(const MtlMap& map, const std::string& file, char automatic) {
+  const char channel = map.channel == 0 || map.channel == 'z' ? automatic : map.channel;
+  return {file, channel, map.base, map.gain};
+}
+
+// Red, green and blue, or one channel as grey where the map picks one.
+ChannelSources colors(const MtlMap& map, const std::string& file) {
+  ChannelSources result;
+  const char* channels = "rgb";
+  for (std::size_t i = 0; i < 3; ++i) result[i] = scalar(map, file, channels[i]);
+  return result;
+}
+
+// Just the image, unchanged.
+ChannelSources whole(const std::string& file) {
+  ChannelSources result;
+  const char* channels = "rgba";
+  for (std::size_t i = 0; i < 4; ++i) result[i] = {file, channels[i], 0, 1};
+  return result;
+}
+
+bool begins(const Bytes& bytes, std::initializer_list<std::uint8_t> start) {
+  return bytes.size() >= start.size() && std::equal(start.begin(), start.end(), bytes.begin());
 }
 
 }  // namespace
 
 void ObjTextures::apply(const MtlMaterial& source, Material& material) {
-  const tinyobj::material_t& values = source.values;
-  if (source.given.count("map_Kd")) {
-    material.base_color_texture =
-        use(source, "map_Kd", values.diffuse_texname, values.diffuse_texopt);
-  }
-  if (source.given.count("map_Ke")) {
-    material.emission_texture =
-        use(source, "map_Ke", values.emissive_texname, values.emissive_texopt);
-    if (!source.given.count("Ke") && material.emission_texture.texture >= 0) {
-      material.emission.value = Vec3f(1);
-    }
+  apply_color(source, material);
+  apply_emission(source, material);
+  apply_metallic_roughness(source, material);
+  warn_of_others(source);
+}
+
+// map_d becomes the alpha of map_Kd.
+void ObjTextures::apply_color(const MtlMaterial& source, Material& material) {
+  const std::optional<Found> color = find(source, "kd"), opacity = find(source, "d");
+  if (!color && !opacity) return;
+  ChannelSources sources;
+  if (color) sources = colors(*color->map, color->file);
+  // The colour's own image is opaque where it has no alpha, not where it is bright.
+  const bool is_same = color && opacity && color->file == opacity->file;
+  if (opacity) sources[3] = scalar(*opacity->map, opacity->file, is_same ? 'a' : 'm');
+  material.base_color_texture = use(sources, color ? *color->map : *opacity->map, true);
+  if (opacity) material.alpha_mode = AlphaMode::blend;
+  if (!color) return;
+  const auto kd = source.colors.find("kd");
+  if (kd == source.colors.end()) {
+    material.base_color.value = Vec3f(1);
+  } else if (kd->second == Vec3f(0)) {
+    warn(source, color->map->key, "Kd is black and would hide it, white is used");
+    material.base_color.value = Vec3f(1);
   }
 }
 
-TextureUse ObjTextures::use(const MtlMaterial& source, const char* key, const std::string& name,
-                            const tinyobj::texture_option_t& options) {
-  if (name.empty()) {
-    warn(source, key, "names no file that could be read, not used");
-    return {};
+void ObjTextures::apply_emission(const MtlMaterial& source, Material& material) {
+  const std::optional<Found> emission = find(source, "ke");
+  if (!emission) return;
+  material.emission_texture = use(colors(*emission->map, emission->file), *emission->map, true);
+  if (!source.colors.count("ke")) material.emission.value = Vec3f(1);
+}
+
+// glTF keeps roughness in green and the metal's share in blue.
+void ObjTextures::apply_metallic_roughness(const MtlMaterial& source, Material& material) {
+  const std::optional<Found> roughness = find(source, "pr"), metallic = find(source, "pm");
+  if (!roughness && !metallic) return;
+  ChannelSources sources;
+  if (roughness) sources[1] = scalar(*roughness->map, roughness->file, 'l');
+  if (metallic) sources[2] = scalar(*metallic->map, metallic->file, 'l');
+  material.metallic_roughness_texture =
+      use(sources, roughness ? *roughness->map : *metallic->map, false);
+  if (roughness && !source.numbers.count("pr")) material.roughness.value = 1;
+  if (metallic && !source.numbers.count("pm")) material.metallic.value = 1;
+}
+
+void ObjTextures::warn_of_others(const MtlMaterial& source) {
+  for (const auto& [what, map] : source.maps) {
+    if (what == "kd" || what == "d" || what == "ke" || what == "pr" || what == "pm") continue;
+    warn(source, map.key, "not used");
   }
-  if (has_unused_options(options)) warn(source, key, "options -o, -s, -t and -mm are not used");
-  const std::string what = fmt::format("{}: material {}: {}: {}", source.file.string(),
-                                       quote(source.name), key, quote(name));
-  const std::optional<Path> file = find_asset_file(root_, folder_of(source.file), name, what);
+}
+
+std::optional<ObjTextures::Found> ObjTextures::find(const MtlMaterial& source, const char* what) {
+  const auto given = source.maps.find(what);
+  if (given == source.maps.end()) return std::nullopt;
+  const MtlMap& map = given->second;
+  if (map.file.empty()) {
+    warn(source, map.key, "names no file, not used");
+    return std::nullopt;
+  }
+  const std::string at = fmt::format("{}: material {}: {}: {}", source.file.string(),
+                                     quote(source.name), map.key, quote(map.file));
+  const std::optional<Path> file = find_asset_file(root_, folder_of(source.file), map.file, at);
   if (!file) {
-    warn(source, key, fmt::format("image {} does not exist, not used", quote(name)));
-    return {};
+    warn(source, map.key, fmt::format("image {} does not exist, not used", quote(map.file)));
+  } else if (!is_picture(file->string())) {
+    warn(source, map.key,
+         fmt::format("image {} is neither PNG nor JPEG, not used", quote(map.file)));
+  } else {
+    return Found{&map, file->string()};
   }
+  return std::nullopt;
+}
+
+// What says by its name to be one is decoded, and refused if it is none.
+bool ObjTextures::is_picture(const std::string& file) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".png" || extension == ".jpg" || extension == ".jpeg") return true;
+  InputFile opened(file, file);
+  Bytes start(std::min<std::size_t>(opened.size(), 4), 0);
+  opened.read(start.data(), start.size());
+  return begins(start, {0x89, 'P', 'N', 'G'}) || begins(start, {0xFF, 0xD8, 0xFF});
+}
+
+TextureUse ObjTextures::use(const ChannelSources& sources, const MtlMap& map, bool srgb) {
   const auto next = static_cast<int>(asset_.textures.size());
-  const auto [entry, is_new] = textures_.try_emplace(std::pair(image(*file), options.clamp), next);
+  const auto [entry, is_new] =
+      textures_.try_emplace(std::tuple(image(sources), srgb, map.clamp, map.smooth), next);
   if (is_new) {
     Texture texture;
-    texture.image = entry->first.first;
-    if (options.clamp) texture.wrap_u = texture.wrap_v = Wrap::clamp;
+    texture.image = std::get<0>(entry->first);
+    texture.srgb = srgb;
+    if (map.clamp) texture.wrap_u = texture.wrap_v = Wrap::clamp;
+    if (!map.smooth) texture.filter = TextureFilter::nearest;
     asset_.textures.push_back(texture);
   }
   return {entry->second, 0};
 }
 
-int ObjTextures::image(const Path& file) {
-  const auto known = images_.find(file);
+// An image that is taken as it is gets decoded once, whatever its alpha is used for.
+int ObjTextures::image(const ChannelSources& sources) {
+  const std::string& file = sources[0].file;
+  ChannelSources key = sources;
+  const ChannelSources plain = whole(file);
+  const bool is_plain = !file.empty() && std::equal(key.begin(), key.begin() + 3, plain.begin()) &&
+                        (key[3].file.empty() || key[3] == plain[3]);
+  if (is_plain) key = plain;
+  const auto known = images_.find(key);
   if (known != images_.end()) return known->second;
-  const std::string name = file.string();
-  const auto bytes = read_input_file<std::vector<std::uint8_t>>(file, limits_.total_bytes, name);
-  asset_.images.push_back(decode_image(bytes, name, limits_));
-  asset_.files.insert(file);
+  const auto decoded = [this](const std::string& name) { return decode(name); };
+  asset_.images.push_back(is_plain ? decode(file) : mix_image(key, limits_, decoded));
   bytes_ += asset_.images.back().rgba.size();
   if (bytes_ > limits_.total_bytes) {
-    throw InputError(fmt::format("{}: all images need more than {} bytes, the limit", name,
+    throw InputError(fmt::format("{}: all images need more than {} bytes, the limit", file,
                                  limits_.total_bytes));
   }
   const auto index = static_cast<int>(asset_.images.size()) - 1;
-  images_.emplace(file, index);
+  images_.emplace(key, index);
   return index;
 }
 
-void ObjTextures::warn(const MtlMaterial& source, const char* key, const std::string& what) {
+Image ObjTextures::decode(const std::string& file) {
+  const auto bytes = read_input_file<Bytes>(file, limits_.total_bytes, file);
+  asset_.files.insert(file);
+  Image image = decode_image(bytes, file, limits_);
+  image.name = Path(file).filename().string();
+  return image;
+}
+
+void ObjTextures::warn(const MtlMaterial& source, const std::string& key, const std::string& what) {
   warnings_.push_back(
       fmt::format("{}: material {}: {}: {}", source.file.string(), quote(source.name), key, what));
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "importers/importers.h"
+#include "importers/mixed_image.h"
 #include "importers/mtl_read.h"
 
 namespace restframe {
@@ -16,23 +18,37 @@ class ObjTextures {
   ObjTextures(Path root, const ImportLimits& limits, Asset& asset, Warnings& warnings)
       : root_(std::move(root)), limits_(limits), asset_(asset), warnings_(warnings) {}
 
-  // Gives `material` the textures of `source`. A missing image is a warning; throws InputError for
-  // one that can not be read.
+  // Gives `material` the textures of `source`. An image that is missing, or neither PNG nor JPEG,
+  // is a warning; throws InputError for one that can not be read.
   void apply(const MtlMaterial& source, Material& material);
 
  private:
-  TextureUse use(const MtlMaterial& source, const char* key, const std::string& name,
-                 const tinyobj::texture_option_t& options);
-  int image(const Path& file);
-  void warn(const MtlMaterial& source, const char* key, const std::string& what);
+  // A texture statement whose file is there.
+  struct Found {
+    const MtlMap* map;
+    std::string file;
+  };
+
+  void apply_color(const MtlMaterial& source, Material& material);
+  void apply_emission(const MtlMaterial& source, Material& material);
+  void apply_metallic_roughness(const MtlMaterial& source, Material& material);
+  void warn_of_others(const MtlMaterial& source);
+
+  std::optional<Found> find(const MtlMaterial& source, const char* what);
+  // As colour or as data, with the options of `map`.
+  TextureUse use(const ChannelSources& sources, const MtlMap& map, bool srgb);
+  int image(const ChannelSources& sources);
+  Image decode(const std::string& file);
+  bool is_picture(const std::string& file);
+  void warn(const MtlMaterial& source, const std::string& key, const std::string& what);
 
   Path root_;
   const ImportLimits& limits_;
   Asset& asset_;
   Warnings& warnings_;
   std::size_t bytes_ = 0;  // of decoded images
-  std::map<Path, int> images_;
-  std::map<std::pair<int, bool>, int> textures_;  // by image and whether it is clamped
+  std::map<ChannelSources, int> images_;
+  std::map<std::tuple<int, bool, bool, bool>, int> textures_;  // by image, srgb, clamped, smooth
 };
 
 }  // namespace restframe

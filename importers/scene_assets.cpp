@@ -1,5 +1,6 @@
 #include "importers/scene_assets.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace restframe {
@@ -22,9 +23,9 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   const int first_texture = static_cast<int>(scene.textures.size());
   const int first_image = static_cast<int>(scene.images.size());
   SceneAsset added;
-  for (const Part& part : asset.parts) {
-    added.parts.push_back({first_mesh + part.mesh, part.asset_from_mesh});
-  }
+  added.parts = std::move(asset.parts);
+  for (Part& part : added.parts) part.mesh += first_mesh;
+  added.tree = std::move(asset.tree);
   for (Texture& texture : asset.textures) texture.image += first_image;
   for (Material& material : asset.materials) {
     shift(material.base_color_texture, first_texture);
@@ -38,9 +39,16 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   return added;
 }
 
-std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const Mat4& object_from_asset) {
-  std::vector<PlacedMesh> parts = asset.parts;
-  for (PlacedMesh& part : parts) part.object_from_mesh = object_from_asset * part.object_from_mesh;
+std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& nodes,
+                                     const Mat4& object_from_asset) {
+  std::vector<PlacedMesh> parts;
+  for (const NodeRange& range : nodes) {
+    const auto is_before = [](const Part& part, int node) { return part.node < node; };
+    auto part = std::lower_bound(asset.parts.begin(), asset.parts.end(), range.begin, is_before);
+    for (; part != asset.parts.end() && part->node < range.end; ++part) {
+      parts.push_back({part->mesh, object_from_asset * part->asset_from_mesh});
+    }
+  }
   return parts;
 }
 

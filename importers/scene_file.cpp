@@ -53,7 +53,7 @@ Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& w
   SceneAsset asset = add_asset(scene, std::move(read));
   Object object;
   object.name = path.stem().string();
-  object.parts = std::move(asset.parts);
+  object.parts = placed_parts(asset, nodes_of_default_scene(asset.tree), Mat4(1));
   scene.materials = std::move(asset.materials);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     object.materials.push_back(static_cast<int>(i));

@@ -78,7 +78,9 @@ void read_object(const ConfigTable& table, SceneFile& file) {
   const Mat4 object_from_asset = read_placement(reader, file.scene.light_speed);
   const std::optional<int> asset = read_asset(reader, file);
   if (asset) {
-    object.parts = placed_parts(file.assets[static_cast<std::size_t>(*asset)], object_from_asset);
+    const SceneAsset& its_asset = file.assets[static_cast<std::size_t>(*asset)];
+    object.parts =
+        placed_parts(its_asset, nodes_of_default_scene(its_asset.tree), object_from_asset);
   }
   file.object_from_asset.push_back(object_from_asset);
   file.object_materials.push_back(read_materials(reader, asset, file));

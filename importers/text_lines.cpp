@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -18,7 +17,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-// tinyobjloader makes NaN of 0e500, and infinity of very many digits.
+// An exponent that no number that is meant has; 0e500 among them.
 bool has_huge_exponent(std::string_view word) {
   const std::size_t e = word.find_first_of("eE");
   if (e == word.npos) return false;
@@ -112,13 +111,6 @@ void TextFile::fail(std::size_t offset, const std::string& reason) const {
   throw InputError(position(offset) + ": " + reason);
 }
 
-std::string_view take_word(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
-  const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
-  rest.remove_prefix(word.size());
-  return word;
-}
-
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
   return text.substr(0, text.find_last_not_of(blanks) + 1);
@@ -130,8 +122,10 @@ bool read_number(std::string_view word, double& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
+  // strtod would tell, but goes by the locale. So short a word is too small only by its exponent.
   if (error == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(word).c_str(), nullptr);
+    if (word.find("e-") == word.npos && word.find("E-") == word.npos) return false;
+    value = 0;
   }
   return error != std::errc::invalid_argument && stop == end && std::isfinite(value);
 }

@@ -51,8 +51,20 @@ class TextFile {
   mutable Location located_;
 };
 
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
 // The first word of `rest` (spaces and tabs divide), taken off it; empty if there is none.
-std::string_view take_word(std::string_view& rest);
+inline std::string_view take_word(std::string_view& rest) {
+  std::size_t begin = 0;
+  while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < rest.size() && !is_blank(rest[end])) ++end;
+  const std::string_view word = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return word;
+}
 
 // Without spaces and tabs at both ends.
 std::string_view trimmed(std::string_view text);

@@ -82,7 +82,7 @@ TEST(Lattice, OfOneBallHasNoRod) {
   const Asset asset = make_lattice({1, 1, 1}, false);
   EXPECT_EQ(asset.meshes.size(), 1U);
   ASSERT_EQ(asset.parts.size(), 1U);
-  EXPECT_EQ(asset.parts[0].node, "ball_0_0_0");
+  EXPECT_EQ(name_of(asset, asset.parts[0]), "ball_0_0_0");
   EXPECT_EQ(make_lattice({1, 1, 1}, true).meshes[0].materials.size(), 1U);
 }
 

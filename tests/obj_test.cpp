@@ -108,16 +108,22 @@ TEST_F(Obj, GivenNormalsBecomeUnitAndMissingOnesAreComputed) {
   EXPECT_THAT(warnings_, Contains(HasSubstr("1 vn lines have no length")));
 }
 
-TEST_F(Obj, VertexColoursAreKept) {
-  const Asset asset = load("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1\nv 0 1 0\nf 1 2 3\n");
-  EXPECT_EQ(asset.meshes[0].colors,
-            std::vector<Vec4f>({Vec4f(1, 0.5F, 0, 1), Vec4f(0, 0, 1, 1), Vec4f(1)}));
+// Programs write what they show: sRGB. By IEC 61966-2-1, 0.5 is ((0.5 + 0.055) / 1.055)^2.4.
+TEST_F(Obj, VertexColoursBecomeLinear) {
+  const Asset asset = load("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1 0.5\nv 0 1 0\nf 1 2 3\n");
+  const std::vector<Vec4f>& colors = asset.meshes[0].colors;
+  EXPECT_LT(glm::distance(colors[0], Vec4f(1, 0.214041F, 0, 1)), 1e-5F);
+  EXPECT_EQ(colors[1], Vec4f(0, 0, 1, 0.5F));
+  EXPECT_EQ(colors[2], Vec4f(1));
 }
 
 TEST_F(Obj, VertexColoursOfBytesAreScaled) {
-  const Asset asset = load("v 0 0 0 255 51 0\nv 1 0 0 0 0 255\nv 0 1 0 0 0 0\nf 1 2 3\n");
-  EXPECT_FLOAT_EQ(asset.meshes[0].colors[0].g, 0.2F);
-  EXPECT_FLOAT_EQ(asset.meshes[0].colors[0].a, 1);
+  const Asset asset = load("v 0 0 0 255 51 0\nv 1 0 0 0 0 255\nv 0 1 0\nf 1 2 3\n");
+  const std::vector<Vec4f>& colors = asset.meshes[0].colors;
+  EXPECT_FLOAT_EQ(colors[0].r, 1);
+  EXPECT_NEAR(colors[0].g, std::pow(0.255 / 1.055, 2.4), 1e-6);  // of 0.2
+  EXPECT_FLOAT_EQ(colors[0].a, 1);
+  EXPECT_EQ(colors[2], Vec4f(1));
   EXPECT_THAT(warnings_, Contains(HasSubstr("0 to 255")));
 }
 
@@ -126,8 +132,15 @@ TEST_F(Obj, GroupsBecomePartsOfTheirNames) {
                            "f 1 2 3\no ship\nf 1 2 3\ng hull left\nf 1 2 4\n"
                            "g deck\nf 1 3 4\ng hull left\nf 2 3 4\no sea\nf 1 2 3\n");
   std::vector<std::string> names;
-  for (const Part& part : asset.parts) names.push_back(part.node);
-  EXPECT_THAT(names, testing::ElementsAre("", "ship", "ship/hull left", "ship/deck", "sea"));
+  for (const Part& part : asset.parts) names.push_back(name_of(asset, part));
+  EXPECT_THAT(names, testing::ElementsAre("", "ship", "hull left", "deck", "sea"));
+  const auto& nodes = asset.tree.nodes;
+  EXPECT_EQ(nodes[1].parent, -1);
+  EXPECT_EQ(nodes[2].parent, 1);
+  EXPECT_EQ(nodes[3].parent, 1);
+  EXPECT_EQ(nodes[4].parent, -1);
+  EXPECT_EQ(place_of(asset.tree, 2), "8");  // its line
+  EXPECT_EQ(asset.meshes[2].name, "ship/hull left");
   EXPECT_EQ(asset.meshes[2].triangles.size(), 2U);
   EXPECT_EQ(asset.meshes[2].positions.size(), 4U);
   EXPECT_EQ(asset.meshes[3].positions.size(), 3U);
@@ -150,7 +163,8 @@ TEST_F(Obj, NormalsAreSmoothAcrossGroupsOfAnObject) {
 TEST_F(Obj, ABareGroupEndsTheGroup) {
   const Asset asset = load(square + "g a\nf 1 2 3\ng\nf 1 2 4\n");
   ASSERT_EQ(asset.parts.size(), 2U);
-  EXPECT_EQ(asset.parts[1].node, "");
+  EXPECT_EQ(name_of(asset, asset.parts[0]), "");
+  EXPECT_EQ(name_of(asset, asset.parts[1]), "a");
 }
 
 TEST_F(Obj, ConcaveQuadIsCutInside) {
@@ -210,7 +224,7 @@ TEST_F(Obj, MaterialsOfAnMtlFile) {
   EXPECT_EQ(red.emission.value, Vec3f(0, 0, 2));
   EXPECT_EQ(red.opacity.value, 0.5F);
   EXPECT_EQ(red.alpha_mode, AlphaMode::blend);
-  EXPECT_FLOAT_EQ(red.roughness.value, std::sqrt(0.02F));
+  EXPECT_FLOAT_EQ(red.roughness.value, std::pow(0.02F, 0.25F));
   EXPECT_EQ(red.metallic.value, 0);
   EXPECT_EQ(asset.materials[1].base_color.value, Vec3f(0.5F));
   EXPECT_EQ(asset.materials[1].alpha_mode, AlphaMode::opaque);
@@ -225,7 +239,7 @@ TEST_F(Obj, MaterialsOfAnMtlFile) {
     EXPECT_EQ(ranges[i].first_triangle, i);
     EXPECT_EQ(ranges[i].slot, i % 5);
   }
-  EXPECT_THAT(warnings_, testing::ElementsAre(HasSubstr("not used: Ks")));
+  EXPECT_THAT(warnings_, testing::ElementsAre(HasSubstr("two words.mtl: not used: d -halo")));
 }
 
 TEST_F(Obj, IndicesOfRefraction) {
@@ -267,7 +281,7 @@ TEST_F(Obj, TexturesAreReadOnce) {
   EXPECT_EQ(asset.materials[1].emission.value, Vec3f(1));
   EXPECT_EQ(asset.materials[2].base_color_texture.texture, -1);
   EXPECT_THAT(warnings_, Contains(HasSubstr("gone.png")));
-  EXPECT_THAT(warnings_, Contains(HasSubstr("not used: map_d")));
+  EXPECT_THAT(warnings_, Contains(HasSubstr("map_d: image \"x.png\" does not exist, not used")));
 }
 
 TEST_F(Obj, PointsAndLinesAreNamed) {

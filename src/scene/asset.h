@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/asset_tree.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/texture.h"
@@ -14,7 +15,7 @@ namespace restframe {
 // A mesh placed in the asset's coordinates.
 struct Part {
   int mesh = 0;
-  std::string node;         // the node's name, for messages and `info`
+  int node = 0;             // index into the tree's nodes; instances share one
   Mat4 asset_from_mesh{1};  // affine; may mirror
 };
 
@@ -22,11 +23,19 @@ struct Part {
 struct Asset {
   std::string name;  // file name without its folder
   std::vector<Mesh> meshes;
-  std::vector<Part> parts;
+  std::vector<Part> parts;          // of all scenes, in the order of their nodes
   std::vector<Material> materials;  // slots of the meshes' material ranges; at least one
   std::vector<Texture> textures;
   std::vector<Image> images;
+  AssetTree tree;
   std::set<std::filesystem::path> files;  // canonical; those read besides the one of that name
 };
+
+// The name of the node that places it.
+const std::string& name_of(const Asset& asset, const Part& part);
+
+// Places a mesh at a new root node of this name.
+void add_part(Asset& asset, int mesh, const std::string& name,
+              const Mat4& asset_from_mesh = Mat4(1));
 
 }  // namespace restframe

@@ -116,7 +116,7 @@ Asset make_sphere_asset(const BallSettings& settings) {
   Asset asset;
   asset.name = "sphere";
   asset.meshes.push_back(make_ball(settings));
-  asset.parts.push_back({0, "ball", Mat4(1)});
+  add_part(asset, 0, "ball");
   Material material;
   material.name = "ball";
   material.base_color.value = Vec3f(0.8F);

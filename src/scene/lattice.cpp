@@ -70,17 +70,15 @@ Mesh joined(const LatticeSettings& settings, const Mesh& ball, const Mesh& rod, 
   return lattice;
 }
 
-std::vector<Part> shared(const LatticeSettings& settings, double inset) {
-  std::vector<Part> parts;
-  parts.reserve(lattice_parts(settings));
+void add_shared_parts(const LatticeSettings& settings, double inset, Asset& asset) {
+  asset.parts.reserve(lattice_parts(settings));
+  asset.tree.nodes.reserve(lattice_parts(settings));
   place_balls(settings, [&](const Mat4& matrix, const Cell& cell) {
-    parts.push_back({0, fmt::format("ball_{}_{}_{}", cell.x, cell.y, cell.z), matrix});
+    add_part(asset, 0, fmt::format("ball_{}_{}_{}", cell.x, cell.y, cell.z), matrix);
   });
   place_rods(settings, inset, [&](const Mat4& matrix, int axis, const Cell& cell) {
-    parts.push_back(
-        {1, fmt::format("rod_{}_{}_{}_{}", "xyz"[axis], cell.x, cell.y, cell.z), matrix});
+    add_part(asset, 1, fmt::format("rod_{}_{}_{}_{}", "xyz"[axis], cell.x, cell.y, cell.z), matrix);
   });
-  return parts;
 }
 
 }  // namespace
@@ -136,9 +134,9 @@ Asset make_lattice(const LatticeSettings& settings, bool flat) {
   asset.materials = {matte("balls", {0.8F, 0.15F, 0.1F}), matte("rods", {0.7F, 0.7F, 0.75F})};
   if (flat) {
     asset.meshes.push_back(joined(settings, ball, rod, inset));
-    asset.parts.push_back({0, "lattice", Mat4(1)});
+    add_part(asset, 0, "lattice");
   } else {
-    asset.parts = shared(settings, inset);
+    add_shared_parts(settings, inset, asset);
     asset.meshes = {ball};
     if (asset.parts.back().mesh == 1) asset.meshes.push_back(rod);
   }

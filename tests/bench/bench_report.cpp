@@ -19,6 +19,7 @@ constexpr Target targets[] = {
     {"motion blur over none, 16 samples", "preview_blurred", "preview_sampled", 1.2, false},
     {"shadowed point light over preview", "light_shadowed", "light_none", 2.2, false},
     {"reading and building over bare build", "read_and_build", "bare_build", 2.0, false},
+    {"reading OBJ and building over bare build", "read_obj_and_build", "bare_build", 4.0, false},
     {"animation over its renderings", "animation", "renderings", 1.1, false},
 };
 

@@ -49,6 +49,7 @@ BenchFile::BenchFile() {
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("can not create " + name);
   folder_ = name;
   write_lattice(LatticeSettings{}, InstanceMode::none, glb());
+  write_lattice(LatticeSettings{}, InstanceMode::none, obj());
 }
 
 BenchFile::~BenchFile() {

@@ -25,6 +25,7 @@ class BenchFile {
 
   const std::string& folder() const { return folder_; }
   std::string glb() const { return folder_ + "/lattice.glb"; }
+  std::string obj() const { return folder_ + "/lattice.obj"; }
 
  private:
   std::string folder_;

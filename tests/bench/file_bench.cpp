@@ -1,4 +1,4 @@
-// Reading the lattice's GLB against Embree's own build, and an animation against its renderings.
+// Reading the lattice's files against Embree's own build, and an animation against its renderings.
 
 #include <benchmark/benchmark.h>
 
@@ -20,14 +20,20 @@ const BenchFile& bench_file() {
   return file;
 }
 
-void read_and_build(benchmark::State& state) {
-  const std::string path = bench_file().glb();
+void load_and_build(benchmark::State& state, const std::string& path) {
   for (auto _ : state) {
     Warnings warnings;
     const Scene scene = load_scene(path, {}, warnings);
     const FrameSet frames(scene, thread_count());
     benchmark::DoNotOptimize(frames.embree_bytes());
   }
+}
+
+void read_and_build(benchmark::State& state) {
+  load_and_build(state, bench_file().glb());
+}
+void read_obj_and_build(benchmark::State& state) {
+  load_and_build(state, bench_file().obj());
 }
 
 // Only rtcCommitScene and what it needs, on vertices and indices that are there already.
@@ -87,6 +93,7 @@ void animation(benchmark::State& state) {
 
 BENCHMARK(bare_build)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(read_and_build)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(read_obj_and_build)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(renderings)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(animation)->UseRealTime()->Unit(benchmark::kMillisecond);
 
