@@ -27,11 +27,7 @@ void warn(const Mended& mended, const std::string& file, Warnings& warnings) {
   if (mended.degenerate > 0) {
     warnings.push_back(fmt::format("{}: {} triangles have no area", file, mended.degenerate));
   }
-  if (mended.turned > 0) {
-    warnings.push_back(
-        fmt::format("{}: {} triangles of closed surfaces were turned over, to face outwards", file,
-                    mended.turned));
-  }
+  if (mended.turned > 0) warnings.push_back(turned_over(file, mended.turned));
   if (mended.normals > 0) {
     warnings.push_back(
         fmt::format("{}: {} normals have no direction, computed instead", file, mended.normals));
@@ -69,7 +65,7 @@ Asset make_mesh_asset(const Path& path, std::vector<Mesh> meshes, Warnings& warn
       warnings.push_back(file + ": every colour has alpha 0, taken as 1");
     }
     mend(mesh, mended);
-    asset.parts.push_back({static_cast<int>(asset.parts.size()), mesh.name, Mat4(1)});
+    add_part(asset, static_cast<int>(asset.parts.size()), mesh.name);
   }
   warn(mended, file, warnings);
   asset.materials.push_back(default_material(asset.meshes));

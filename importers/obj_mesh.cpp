@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "importers/obj_piece.h"
+#include "importers/orientation.h"
 #include "importers/triangulate.h"
 #include "importers/vertex_picker.h"
 
@@ -93,10 +94,11 @@ void add_groups(ObjPiece& piece, const std::vector<ObjGroup>& groups, const std:
   }
 }
 
-void warn_of_shapes(std::uint64_t degenerate, bool is_exhausted, std::ptrdiff_t zero_normals,
-                    const std::string& file, Warnings& warnings) {
+void warn_of_shapes(std::uint64_t degenerate, std::uint64_t turned, bool is_exhausted,
+                    std::ptrdiff_t zero_normals, const std::string& file, Warnings& warnings) {
   if (degenerate > 0)
     warnings.push_back(fmt::format("{}: {} triangles have no area", file, degenerate));
+  if (turned > 0) warnings.push_back(turned_over(file, turned));
   if (is_exhausted) {
     warnings.push_back(file + ": polygons with too many concave corners were cut into fans");
   }
@@ -118,10 +120,11 @@ std::vector<std::pair<int, Mesh>> build_obj_meshes(ObjData& data, const std::vec
   PolygonCutter cutter;
   cut_polygons(data, cutter);
   const auto zero_normals = std::count(data.normals.begin(), data.normals.end(), Vec3f(0));
-  std::uint64_t degenerate = 0;
+  std::uint64_t degenerate = 0, turned = 0;
   Meshes result;
   const auto add = [&](ObjPiece piece) {
     degenerate += count_degenerate(piece.mesh);
+    if (piece.mesh.normals.empty()) turned += orient_outwards(piece.mesh);
     complete_normals(piece);
     add_groups(piece, data.groups, slots, result);
   };
@@ -137,7 +140,7 @@ std::vector<std::pair<int, Mesh>> build_obj_meshes(ObjData& data, const std::vec
     mesh.name = name_of(data.groups[static_cast<std::size_t>(group)]);
     pad_for_embree(mesh);
   }
-  warn_of_shapes(degenerate, cutter.exhausted(), zero_normals, file, warnings);
+  warn_of_shapes(degenerate, turned, cutter.exhausted(), zero_normals, file, warnings);
   return result;
 }
 

@@ -1,5 +1,7 @@
 #include "importers/orientation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "importers/edge_map.h"
@@ -93,6 +95,11 @@ std::size_t orient_outwards(Mesh& mesh) {
     std::swap(mesh.triangles[triangle][1], mesh.triangles[triangle][2]);
   }
   return turned.size();
+}
+
+std::string turned_over(const std::string& file, std::size_t triangles) {
+  return fmt::format("{}: {} triangles of closed surfaces were turned over, to face outwards", file,
+                     triangles);
 }
 
 }  // namespace restframe

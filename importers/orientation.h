@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "scene/mesh.h"
 
@@ -13,5 +14,8 @@ namespace restframe {
 // cavity, the triangles are made to agree with the most of them. Vertices of equal position count as
 // one. Returns how many triangles were turned over. For meshes without normals.
 std::size_t orient_outwards(Mesh& mesh);
+
+// The warning of it, for a file.
+std::string turned_over(const std::string& file, std::size_t triangles);
 
 }  // namespace restframe

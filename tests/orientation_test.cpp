@@ -194,6 +194,16 @@ TEST_F(OrientedFiles, AreTurnedAndTold) {
   }
 }
 
+// A tetrahedron inside out, beside a good one; its volume is a sixth.
+TEST_F(OrientedFiles, OfObj) {
+  const std::string obj =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 3 2 4\n"
+      "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -2 -1 -3\n";
+  EXPECT_NEAR(volume(mesh_of("mesh.obj", obj)), 2 / 6.0, 1e-6);
+  EXPECT_THAT(told(),
+              ElementsAre(": 4 triangles of closed surfaces were turned over, to face outwards"));
+}
+
 // Normals say which side is out.
 TEST_F(OrientedFiles, WithNormalsAreLeftAlone) {
   const std::string tetrahedron =

@@ -66,7 +66,7 @@ TEST_F(Ply, MakesAnAssetOfOneMaterial) {
   EXPECT_EQ(asset.materials[0].base_color.value, Vec3f(0.8F));
   EXPECT_TRUE(asset.materials[0].double_sided);
   ASSERT_EQ(asset.parts.size(), 1U);
-  EXPECT_EQ(asset.parts[0].node, "mesh");
+  EXPECT_EQ(name_of(asset, asset.parts[0]), "mesh");
 }
 
 TEST_F(Ply, LinesMayEndInAnyWay) {

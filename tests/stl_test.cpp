@@ -88,7 +88,7 @@ TEST_F(Stl, SolidsAreMeshes) {
   EXPECT_EQ(asset.meshes[0].triangles.size(), 1U);
   EXPECT_EQ(asset.meshes[1].triangles.size(), 2U);
   ASSERT_EQ(asset.parts.size(), 2U);
-  EXPECT_EQ(asset.parts[1].node, "b");
+  EXPECT_EQ(name_of(asset, asset.parts[1]), "b");
   EXPECT_EQ(asset.parts[1].mesh, 1);
   EXPECT_EQ(asset.materials.size(), 1U);
   EXPECT_THAT(told(), ElementsAre(": 1 solids without facets, skipped"));
