@@ -83,11 +83,12 @@ TEST_F(MeshFormats, FaceColors) {
   expect_color(shown, -0.55, 0.55, {0, 0, 1});
 }
 
-// t points up: the image's first row is at t = 1.
+// t points up: the image's first row is at t = 1. Its quarters are of 2 by 2 pixels.
 TEST_F(MeshFormats, TextureOfPly) {
-  files_.write(
-      "red green blue white.png",
-      test::png(2, 2, std::string("\xFF\0\0\xFF\0\xFF\0\xFF\0\0\xFF\xFF\xFF\xFF\xFF\xFF", 16)));
+  const std::string red("\xFF\0\0\xFF", 4), green("\0\xFF\0\xFF", 4), blue("\0\0\xFF\xFF", 4),
+      white("\xFF\xFF\xFF\xFF", 4);
+  const std::string top = red + red + green + green, bottom = blue + blue + white + white;
+  files_.write("red green blue white.png", test::png(4, 4, top + top + bottom + bottom));
   const std::string ply = ply_begin + "comment TextureFile red green blue white.png\n" + ply_xyz +
                           "property float s\nproperty float t\n" + ply_face +
                           "-1 -1 0 0 0\n1 -1 0 1 0\n1 1 0 1 1\n-1 1 0 0 1\n4 0 1 2 3\n";
