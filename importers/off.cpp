@@ -29,7 +29,8 @@ class OffBody {
       if (count > 0) warnings.push_back(fmt::format("{}: {} {}", file, count, what));
     };
     add(vertices_with_more_, "vertices have numbers that the header does not announce, not used");
-    add(faces_with_more_, "faces have colours that are no RGB or RGBA, not used");
+    add(faces_with_more_,
+        "faces have colours that are no RGB or RGBA, or go after those of vertices, not used");
     if (words_.next_line()) warnings.push_back(file + ": lines after the last face are not used");
   }
 
@@ -100,7 +101,7 @@ class OffBody {
       const float alpha = numbers_.size() == 4 ? numbers_[3] : opaque;
       attributes.color = Vec4f(numbers_[0], numbers_[1], numbers_[2], alpha);
     }
-    if (!is_color && !numbers_.empty()) ++faces_with_more_;
+    if (!attributes.color && !numbers_.empty()) ++faces_with_more_;
     builder_.add_face(corners_, attributes);
   }
 
