@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "importers/material_change.h"
+
 namespace restframe {
 namespace {
 
@@ -23,9 +25,13 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   const int first_texture = static_cast<int>(scene.textures.size());
   const int first_image = static_cast<int>(scene.images.size());
   SceneAsset added;
+  added.name = asset.name;
   added.parts = std::move(asset.parts);
   for (Part& part : added.parts) part.mesh += first_mesh;
   added.tree = std::move(asset.tree);
+  for (std::size_t i = 0; i < added.tree.nodes.size(); ++i) {
+    added.nodes_of_name[added.tree.nodes[i].name].push_back(static_cast<int>(i));
+  }
   for (Texture& texture : asset.textures) texture.image += first_image;
   for (Material& material : asset.materials) {
     shift(material.base_color_texture, first_texture);
@@ -37,6 +43,41 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   move_into(scene.textures, asset.textures);
   move_into(scene.images, asset.images);
   return added;
+}
+
+NodeRanges find_nodes(const SceneAsset& asset, const std::string& pattern) {
+  std::vector<NodeRange> found;
+  const auto add = [&](const std::vector<int>& nodes) {
+    for (const int node : nodes) found.push_back(subtree(asset.tree, node));
+  };
+  if (pattern.find('*') == std::string::npos) {
+    const auto named = asset.nodes_of_name.find(pattern);
+    if (named != asset.nodes_of_name.end()) add(named->second);
+  } else {
+    for (const auto& [name, nodes] : asset.nodes_of_name) {
+      if (matches(pattern, name)) add(nodes);
+    }
+  }
+  return united(std::move(found));
+}
+
+void drop_unused_meshes(Scene& scene) {
+  std::vector<int> new_index(scene.meshes.size(), -1);
+  for (const Object& object : scene.objects) {
+    for (const PlacedMesh& part : object.parts) new_index[static_cast<std::size_t>(part.mesh)] = 0;
+  }
+  std::vector<Mesh> kept;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    if (new_index[i] < 0) continue;
+    new_index[i] = static_cast<int>(kept.size());
+    kept.push_back(std::move(scene.meshes[i]));
+  }
+  scene.meshes = std::move(kept);
+  for (Object& object : scene.objects) {
+    for (PlacedMesh& part : object.parts) {
+      part.mesh = new_index[static_cast<std::size_t>(part.mesh)];
+    }
+  }
 }
 
 std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& nodes,

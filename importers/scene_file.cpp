@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "importers/asset_placing.h"
 #include "importers/file_hash.h"
 #include "importers/input_file.h"
 #include "importers/material_assignment.h"
@@ -40,9 +41,26 @@ Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& wa
   root.finish();
   if (file.names_complete) assign_materials(changes, file);
   file.faults.throw_any();
+  add_lights(std::move(file.asset_lights), file.scene);
+  drop_unused_meshes(file.scene);
   check_whole(file.scene, path);
   warn_of_open_glass(file.scene, path, warnings);
   return std::move(file.scene);
+}
+
+// The camera and the lights that the asset places, as they are at rest.
+void add_camera_and_lights(const SceneAsset& asset, const Object& object, const Path& path,
+                           Scene& scene, Warnings& warnings) {
+  const NodeRanges nodes = nodes_of_default_scene(asset.tree);
+  const PlacedNodes placed{asset.tree, nodes, object, Mat4(1)};
+  std::vector<Light> lights;
+  for (PlacedLight& each : placed_lights(placed, path.string(), warnings)) {
+    lights.push_back(std::move(each.light));
+  }
+  add_lights(std::move(lights), scene);
+  const std::optional<Camera> camera = placed_camera(placed);
+  scene.camera_given = camera.has_value();
+  if (camera) scene.camera = *camera;
 }
 
 // The asset as one object at rest at the world's origin.
@@ -58,7 +76,9 @@ Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& w
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     object.materials.push_back(static_cast<int>(i));
   }
+  add_camera_and_lights(asset, object, path, scene, warnings);
   scene.objects.push_back(std::move(object));
+  drop_unused_meshes(scene);
   std::string stem = path.stem().string();
   std::replace(stem.begin(), stem.end(), '#', '_');
   scene.output.path = fmt::format("out/{}.####.exr", stem);

@@ -49,6 +49,7 @@ struct SceneFile {
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   std::vector<ObjectMaterials> object_materials;  // one an object
   std::vector<Mat4> object_from_asset;            // likewise; the asset's units to light-seconds
+  std::vector<Light> asset_lights;                // those that came with objects
 };
 
 // A property as a file gives it: constant, or an index into Scene::functions.
@@ -75,6 +76,9 @@ std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& 
 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
 std::optional<int> read_asset(TableReader& object, SceneFile& file);
+
+// The nodes of the asset that an object's table picks: of a scene, of names, without others.
+NodeRanges read_nodes(TableReader& object, const SceneAsset& asset);
 
 // The index of the object whose name stands under `key`.
 std::optional<int> read_object_reference(TableReader& table, const std::string& key,

@@ -2,6 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "importers/asset_placing.h"
 #include "importers/scene_file_motion.h"
 #include "scene/suggest.h"
 
@@ -66,6 +67,28 @@ std::string read_name(const ConfigTable& table, SceneFile& file) {
   return name;
 }
 
+// Of nodes that are there, but have nothing to show.
+void warn_if_empty(TableReader& reader, const SceneAsset& asset, const Object& object,
+                   SceneFile& file) {
+  const bool picks = reader.has("node") || reader.has("without") || reader.has("scene");
+  if (!picks || !object.parts.empty() || asset.parts.empty() || !file.faults.empty()) return;
+  file.warnings.push_back(file.faults.located(
+      reader.place(), reader.report.name + ": the nodes that it picks hold no triangles"));
+}
+
+// What the object takes of its asset: meshes, and the lights among them.
+void fill(TableReader& reader, const SceneAsset& asset, const Mat4& object_from_asset,
+          SceneFile& file, Object& object) {
+  const NodeRanges nodes = read_nodes(reader, asset);
+  object.parts = placed_parts(asset, nodes, object_from_asset);
+  warn_if_empty(reader, asset, object, file);
+  if (!reader.boolean("lights").value_or(true)) return;
+  const PlacedNodes placed{asset.tree, nodes, object, object_from_asset};
+  for (PlacedLight& each : placed_lights(placed, asset.name, file.warnings)) {
+    file.asset_lights.push_back(std::move(each.light));
+  }
+}
+
 void read_object(const ConfigTable& table, SceneFile& file) {
   Object object;
   object.name = read_name(table, file);
@@ -77,14 +100,12 @@ void read_object(const ConfigTable& table, SceneFile& file) {
   object.frame_clock = own.frame_clock;
   const Mat4 object_from_asset = read_placement(reader, file.scene.light_speed);
   const std::optional<int> asset = read_asset(reader, file);
+  for (const char* key : {"scene", "node", "without", "lights"}) reader.find(key);
   if (asset) {
-    const SceneAsset& its_asset = file.assets[static_cast<std::size_t>(*asset)];
-    object.parts =
-        placed_parts(its_asset, nodes_of_default_scene(its_asset.tree), object_from_asset);
+    fill(reader, file.assets[static_cast<std::size_t>(*asset)], object_from_asset, file, object);
   }
   file.object_from_asset.push_back(object_from_asset);
   file.object_materials.push_back(read_materials(reader, asset, file));
-  reader.not_supported({"node"});
   reader.finish();
   file.scene.objects.push_back(std::move(object));
 }
