@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "importers/material_change.h"
 
@@ -18,6 +19,14 @@ void shift(TextureUse& use, int first_texture) {
   if (use.texture >= 0) use.texture += first_texture;
 }
 
+void sort_by_name(const std::vector<AssetNode>& nodes, std::vector<int>& sorted) {
+  sorted.resize(nodes.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(), [&](int a, int b) {
+    return nodes[static_cast<std::size_t>(a)].name < nodes[static_cast<std::size_t>(b)].name;
+  });
+}
+
 }  // namespace
 
 SceneAsset add_asset(Scene& scene, Asset asset) {
@@ -29,9 +38,6 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   added.parts = std::move(asset.parts);
   for (Part& part : added.parts) part.mesh += first_mesh;
   added.tree = std::move(asset.tree);
-  for (std::size_t i = 0; i < added.tree.nodes.size(); ++i) {
-    added.nodes_of_name[added.tree.nodes[i].name].push_back(static_cast<int>(i));
-  }
   for (Texture& texture : asset.textures) texture.image += first_image;
   for (Material& material : asset.materials) {
     shift(material.base_color_texture, first_texture);
@@ -45,20 +51,26 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   return added;
 }
 
-NodeRanges find_nodes(const SceneAsset& asset, const std::string& pattern) {
-  std::vector<NodeRange> found;
-  const auto add = [&](const std::vector<int>& nodes) {
-    for (const int node : nodes) found.push_back(subtree(asset.tree, node));
+NodeRanges find_nodes(SceneAsset& asset, const std::string& pattern) {
+  const std::vector<AssetNode>& nodes = asset.tree.nodes;
+  const auto name_of = [&](int node) -> const std::string& {
+    return nodes[static_cast<std::size_t>(node)].name;
   };
-  if (pattern.find('*') == std::string::npos) {
-    const auto named = asset.nodes_of_name.find(pattern);
-    if (named != asset.nodes_of_name.end()) add(named->second);
-  } else {
-    for (const auto& [name, nodes] : asset.nodes_of_name) {
-      if (matches(pattern, name)) add(nodes);
-    }
+  if (asset.nodes_by_name.empty()) sort_by_name(nodes, asset.nodes_by_name);
+  const std::string beginning = pattern.substr(0, pattern.find('*'));
+  auto each =
+      std::lower_bound(asset.nodes_by_name.begin(), asset.nodes_by_name.end(), beginning,
+                       [&](int node, const std::string& name) { return name_of(node) < name; });
+  std::vector<int> found;
+  for (; each != asset.nodes_by_name.end() && name_of(*each).starts_with(beginning); ++each) {
+    if (matches(pattern, name_of(*each))) found.push_back(*each);
   }
-  return united(std::move(found));
+  std::sort(found.begin(), found.end());
+  NodeRanges ranges;
+  for (const int node : found) {
+    if (ranges.empty() || node >= ranges.back().end) ranges.push_back(subtree(asset.tree, node));
+  }
+  return united(std::move(ranges));
 }
 
 void drop_unused_meshes(Scene& scene) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "scene/asset.h"
@@ -15,14 +14,14 @@ struct SceneAsset {
   std::vector<Part> parts;          // of all the asset's scenes, in the order of their nodes
   std::vector<Material> materials;  // by slot
   AssetTree tree;
-  std::unordered_map<std::string, std::vector<int>> nodes_of_name;
+  std::vector<int> nodes_by_name;  // the tree's, sorted; made when somebody first looks for a name
 };
 
 // Moves the asset's meshes, textures and images into the scene.
 SceneAsset add_asset(Scene& scene, Asset asset);
 
 // The nodes whose names match the pattern (* stands for anything), with all that is below them.
-NodeRanges find_nodes(const SceneAsset& asset, const std::string& pattern);
+NodeRanges find_nodes(SceneAsset& asset, const std::string& pattern);
 
 // Removes the meshes that no object places: those of an asset's other scenes or nodes.
 void drop_unused_meshes(Scene& scene);

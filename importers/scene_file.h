@@ -78,7 +78,7 @@ std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& 
 std::optional<int> read_asset(TableReader& object, SceneFile& file);
 
 // The nodes of the asset that an object's table picks: of a scene, of names, without others.
-NodeRanges read_nodes(TableReader& object, const SceneAsset& asset);
+NodeRanges read_nodes(TableReader& object, SceneAsset& asset);
 
 // The index of the object whose name stands under `key`.
 std::optional<int> read_object_reference(TableReader& table, const std::string& key,

@@ -85,7 +85,7 @@ std::vector<std::string> some_names(const AssetTree& tree, const NodeRanges& nod
 }
 
 // What all the patterns mean together: nodes of that name, with what is below them.
-NodeRanges find_all(const std::vector<PlacedText>& patterns, const SceneAsset& asset,
+NodeRanges find_all(const std::vector<PlacedText>& patterns, SceneAsset& asset,
                     const NodeRanges& scene, const Reporter& report) {
   std::vector<NodeRange> found;
   for (const auto& [at, pattern] : patterns) {
@@ -103,7 +103,7 @@ NodeRanges find_all(const std::vector<PlacedText>& patterns, const SceneAsset& a
 
 }  // namespace
 
-NodeRanges read_nodes(TableReader& object, const SceneAsset& asset) {
+NodeRanges read_nodes(TableReader& object, SceneAsset& asset) {
   const NodeRanges scene = nodes_of_scene(asset.tree, read_scene(object, asset.tree));
   const auto wanted = read_patterns(object, "node");
   const auto unwanted = read_patterns(object, "without");

@@ -77,8 +77,8 @@ void warn_if_empty(TableReader& reader, const SceneAsset& asset, const Object& o
 }
 
 // What the object takes of its asset: meshes, and the lights among them.
-void fill(TableReader& reader, const SceneAsset& asset, const Mat4& object_from_asset,
-          SceneFile& file, Object& object) {
+void fill(TableReader& reader, SceneAsset& asset, const Mat4& object_from_asset, SceneFile& file,
+          Object& object) {
   const NodeRanges nodes = read_nodes(reader, asset);
   object.parts = placed_parts(asset, nodes, object_from_asset);
   warn_if_empty(reader, asset, object, file);
