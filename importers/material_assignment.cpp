@@ -44,6 +44,9 @@ class Assignment {
   void run();
 
  private:
+  bool shares_materials(std::size_t object) const;
+  bool belongs_to(int part, int object) const;
+  const ObjectMaterials& wanted_on(std::size_t object) const;
   void collect_slots();
   void collect_references();
   void add_candidate(Candidate candidate);
@@ -65,6 +68,7 @@ class Assignment {
   std::vector<std::size_t> first_slot_;  // of each object, in candidates_
   std::map<std::string, std::vector<std::size_t>> by_name_;
   std::set<std::pair<int, std::string>> references_;  // by object, and by every_object
+  std::set<std::string> named_objects_;               // by changes
   std::size_t applications_ = 0;
   std::map<Origin, int> scene_materials_;
   std::set<int> seen_changes_;
@@ -75,9 +79,30 @@ void Assignment::add_candidate(Candidate candidate) {
   candidates_.push_back(std::move(candidate));
 }
 
+// A moving node of an object has the object's materials, unless a change names it.
+bool Assignment::shares_materials(std::size_t object) const {
+  if (file_.object_materials[object].part_of < 0) return false;
+  return named_objects_.count(file_.scene.objects[object].name) == 0;
+}
+
+// Whether what holds on the object holds on the part, be it the same or a moving node of it.
+bool Assignment::belongs_to(int part, int object) const {
+  if (part < 0 || part == object) return part == object;
+  return file_.object_materials[static_cast<std::size_t>(part)].part_of == object;
+}
+
+const ObjectMaterials& Assignment::wanted_on(std::size_t object) const {
+  const int whole = file_.object_materials[object].part_of;
+  return file_.object_materials[whole < 0 ? object : static_cast<std::size_t>(whole)];
+}
+
 void Assignment::collect_slots() {
+  for (const MaterialChange& change : changes_) {
+    if (change.object) named_objects_.insert(change.object->name);
+  }
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
     first_slot_.push_back(candidates_.size());
+    if (shares_materials(i)) continue;
     const int asset = file_.object_materials[i].asset;
     const auto& materials = file_.assets[static_cast<std::size_t>(asset)].materials;
     for (std::size_t slot = 0; slot < materials.size(); ++slot) {
@@ -90,7 +115,8 @@ void Assignment::collect_slots() {
 
 void Assignment::collect_references() {
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
-    const ObjectMaterials& materials = file_.object_materials[i];
+    if (shares_materials(i)) continue;
+    const ObjectMaterials& materials = wanted_on(i);
     const auto add = [&](const MaterialReference& reference) {
       references_.insert({static_cast<int>(i), reference.name});
       references_.insert({every_object, reference.name});
@@ -109,7 +135,7 @@ std::vector<std::size_t> Assignment::targets(const MaterialChange& change, int o
   std::vector<std::size_t> found;
   const auto add_fitting = [&](const std::vector<std::size_t>& named) {
     for (const std::size_t i : named) {
-      if (object == every_object || candidates_[i].object == object) found.push_back(i);
+      if (object == every_object || belongs_to(candidates_[i].object, object)) found.push_back(i);
     }
   };
   if (change.name.find('*') == std::string::npos) {
@@ -173,11 +199,17 @@ const Origin* Assignment::find(int object, const std::string& name) const {
   const auto own = std::lower_bound(indices.begin(), indices.end(),
                                     first_slot_[static_cast<std::size_t>(object)]);
   if (own != indices.end() && candidates_[*own].object == object) return &candidates_[*own].origin;
-  const Origin* for_all = nullptr;
+  const Origin *for_all = nullptr, *for_whole = nullptr;
   for (auto i = std::lower_bound(own, indices.end(), first_slot_.back()); i != indices.end(); ++i) {
-    if (candidates_[*i].object == object) return &candidates_[*i].origin;
-    if (candidates_[*i].object == every_object) for_all = &candidates_[*i].origin;
+    const Candidate& candidate = candidates_[*i];
+    if (candidate.object == object) return &candidate.origin;
+    if (candidate.object == every_object) {
+      for_all = &candidate.origin;
+    } else if (belongs_to(object, candidate.object)) {
+      for_whole = &candidate.origin;
+    }
   }
+  if (for_whole) return for_whole;
   if (for_all) return for_all;
   return indices.front() < first_slot_.back() ? &candidates_[indices.front()].origin : nullptr;
 }
@@ -213,8 +245,13 @@ int Assignment::scene_material(const Origin& origin) {
 
 void Assignment::assign(int object) {
   const auto index = static_cast<std::size_t>(object);
-  const ObjectMaterials& wanted = file_.object_materials[index];
+  const ObjectMaterials& wanted = wanted_on(index);
   std::vector<int>& materials = file_.scene.objects[index].materials;
+  if (shares_materials(index)) {
+    const int whole = file_.object_materials[index].part_of;
+    materials = file_.scene.objects[static_cast<std::size_t>(whole)].materials;
+    return;
+  }
   const Origin* all = wanted.all_slots ? find_or_report(object, *wanted.all_slots) : nullptr;
   const std::size_t first = first_slot_[index], count = first_slot_[index + 1] - first;
   for (std::size_t slot = 0; slot < count; ++slot) {

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "importers/asset_placing.h"
+#include "importers/moving_nodes.h"
 #include "importers/scene_file_motion.h"
 #include "scene/suggest.h"
 
@@ -57,7 +57,7 @@ ObjectMaterials read_materials(TableReader& table, std::optional<int> asset,
 }
 
 std::string read_name(const ConfigTable& table, SceneFile& file) {
-  const std::string fallback = fmt::format("object_{}", file.scene.objects.size() + 1);
+  const std::string fallback = fmt::format("object_{}", ++file.object_tables);
   TableReader reader(table, {file.faults, fallback});
   std::string name = reader.text("name").value_or(fallback);
   const int index = static_cast<int>(file.scene.objects.size());
@@ -67,26 +67,32 @@ std::string read_name(const ConfigTable& table, SceneFile& file) {
   return name;
 }
 
-// Of nodes that are there, but have nothing to show.
-void warn_if_empty(TableReader& reader, const SceneAsset& asset, const Object& object,
-                   SceneFile& file) {
-  const bool picks = reader.has("node") || reader.has("without") || reader.has("scene");
-  if (!picks || !object.parts.empty() || asset.parts.empty() || !file.faults.empty()) return;
-  file.warnings.push_back(file.faults.located(
-      reader.place(), reader.report.name + ": the nodes that it picks hold no triangles"));
+// Nodes that have motions of their own move by them, unless the object has one.
+NodeGroups read_groups(TableReader& object, const AssetAuthoring& said, const AssetTree& tree,
+                       const NodeRanges& nodes) {
+  NodeGroups groups = grouped(said, nodes);
+  if (groups.moving.empty()) return groups;
+  for (const char* key : {"velocity", "gamma"}) {
+    if (!object.has(key)) continue;
+    const NodeMotion& motion = said.motions[static_cast<std::size_t>(groups.moving.begin()->first)];
+    object.report(
+        object.key_place(key),
+        fmt::format("{} and the asset's own motion of node \"{}\" ({}) exclude each other", key,
+                    node_name(tree, motion.node),
+                    object.report.faults.place_text(motion.at.place)));
+    groups.moving.clear();
+  }
+  return groups;
 }
 
-// What the object takes of its asset: meshes, and the lights among them.
-void fill(TableReader& reader, SceneAsset& asset, const Mat4& object_from_asset, SceneFile& file,
-          Object& object) {
-  const NodeRanges nodes = read_nodes(reader, asset);
-  object.parts = placed_parts(asset, nodes, object_from_asset);
-  warn_if_empty(reader, asset, object, file);
-  if (!reader.boolean("lights").value_or(true)) return;
-  const PlacedNodes placed{asset.tree, nodes, object, object_from_asset};
-  for (PlacedLight& each : placed_lights(placed, asset.name, file.warnings)) {
-    file.asset_lights.push_back(std::move(each.light));
-  }
+// Of nodes that are there, but have nothing to show.
+void warn_if_empty(TableReader& reader, const SceneAsset& asset, const Object& object,
+                   const NodeGroups& groups, SceneFile& file) {
+  const bool picks = reader.has("node") || reader.has("without") || reader.has("scene");
+  const bool is_empty = object.parts.empty() && groups.moving.empty() && !asset.parts.empty();
+  if (!picks || !is_empty || !file.faults.empty()) return;
+  file.warnings.push_back(file.faults.located(
+      reader.place(), reader.report.name + ": the nodes that it picks hold no triangles"));
 }
 
 void read_object(const ConfigTable& table, SceneFile& file) {
@@ -101,13 +107,25 @@ void read_object(const ConfigTable& table, SceneFile& file) {
   const Mat4 object_from_asset = read_placement(reader, file.scene.light_speed);
   const std::optional<int> asset = read_asset(reader, file);
   for (const char* key : {"scene", "node", "without", "lights"}) reader.find(key);
+  NodeGroups groups;
+  NodeRanges nodes;
   if (asset) {
-    fill(reader, file.assets[static_cast<std::size_t>(*asset)], object_from_asset, file, object);
+    SceneAsset& its_asset = file.assets[static_cast<std::size_t>(*asset)];
+    nodes = read_nodes(reader, its_asset);
+    groups = read_groups(reader, file.authoring[static_cast<std::size_t>(*asset)], its_asset.tree,
+                         nodes);
+    object.parts = placed_parts(its_asset, groups.resting, object_from_asset);
+    warn_if_empty(reader, its_asset, object, groups, file);
   }
   file.object_from_asset.push_back(object_from_asset);
   file.object_materials.push_back(read_materials(reader, asset, file));
+  const bool with_lights = reader.boolean("lights").value_or(true);
   reader.finish();
+  const auto index = static_cast<int>(file.scene.objects.size());
+  const std::string prefix = object.name + "/";
   file.scene.objects.push_back(std::move(object));
+  const std::map<int, int> moving = add_moving_nodes(index, groups.moving, prefix, file);
+  if (asset && with_lights) file.lit_objects.push_back({index, moving, prefix, std::move(nodes)});
 }
 
 }  // namespace

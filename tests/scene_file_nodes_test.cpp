@@ -237,7 +237,7 @@ TEST_F(SceneFileNodes, LightsHaveNamesOfTheirOwn) {
   ASSERT_EQ(scene.lights.size(), 3U);
   EXPECT_EQ(scene.lights[0].name, "a/wheel");
   EXPECT_EQ(scene.lights[1].name, "a/wheel_2");
-  EXPECT_EQ(scene.lights[2].name, "a/light_0");
+  EXPECT_EQ(scene.lights[2].name, "a/node_6");
 }
 
 TEST_F(SceneFileNodes, FlattenedLightsAreLeftOut) {
