@@ -98,6 +98,7 @@ std::string node_name(const AssetTree& tree, int node) {
 AssetAuthoring read_asset_extras(SceneAsset& asset, const std::filesystem::path& path,
                                  SceneFile& file) {
   AssetAuthoring said;
+  said.path = path;
   const std::optional<Path> before = std::exchange(file.asset_being_read, path);
   for (const AssetExtras& extras : asset.tree.extras) {
     const int place = file.faults.add_place(path.string() + ":" + extras.place);

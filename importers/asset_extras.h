@@ -3,6 +3,7 @@
 // Authoring in the asset: what glTF's `extras.restframe` says of nodes, materials, lights, cameras
 // and the scene (design, section 5). The keys are those of the scene file.
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <vector>
@@ -32,6 +33,7 @@ struct NodeMotion {
 
 // What an asset says, but for materials, which are as it says already.
 struct AssetAuthoring {
+  std::filesystem::path path;       // of the asset
   std::vector<NodeMotion> motions;  // in the order of their nodes
   std::vector<int> owners;          // of each node, the motion it goes with, or -1; empty: all rest
   std::map<int, ConfigTable> lights, cameras;  // by the tree's indices

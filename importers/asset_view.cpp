@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "importers/scene_file_camera.h"
 #include "importers/scene_file_light.h"
@@ -177,6 +178,8 @@ bool add_asset_lights(const AssetObjects& objects, SceneFile& file) {
       file.object_materials[static_cast<std::size_t>(objects.whole)].asset);
   const AssetTree& tree = file.assets[asset].tree;
   bool has_some = false;
+  const std::optional<Path> before =
+      std::exchange(file.asset_being_read, file.authoring[asset].path);
   for_each_with(&AssetNode::light, tree, objects.nodes, [&](int node, int index) {
     const auto& said = file.authoring[asset].lights;
     const auto own = said.find(index);
@@ -191,6 +194,7 @@ bool add_asset_lights(const AssetObjects& objects, SceneFile& file) {
     read_light(table, &start, file);
     has_some = true;
   });
+  file.asset_being_read = before;
   return has_some;
 }
 

@@ -87,6 +87,13 @@ Path named_path(const std::string& name, TextPosition at, const SceneFile& file)
   return find_asset_file(folder, folder, name, what).value_or(folder / name);
 }
 
+// As it is called from where the file of the scene lies.
+std::string source_name(const std::string& name, const Path& path, const SceneFile& file) {
+  if (!file.asset_being_read) return name;
+  const Path folder = std::filesystem::canonical(folder_of(file.path));
+  return path.lexically_proximate(folder).generic_string();
+}
+
 std::optional<TemporalFunction> read_named_file(TableReader& table, const std::string& name,
                                                 const std::optional<double>& period,
                                                 const ValueRule& rule, SceneFile& file) {
@@ -103,7 +110,7 @@ std::optional<TemporalFunction> read_named_file(TableReader& table, const std::s
   TemporalFunction function;
   if (is_csv) function = read_csv_function(path, *request, rule);
   if (!is_csv) function = read_paper_intervals(path, rule);
-  add_source(file.scene, name, path);
+  add_source(file.scene, source_name(name, path, file), path);
   return function;
 }
 

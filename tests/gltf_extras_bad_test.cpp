@@ -108,6 +108,16 @@ TEST_F(BadExtras, FilesOfAStrangerLieBesideIt) {
             "/base_color/file: material \"paint\": base_color: file \"blank.txt\": no such file");
 }
 
+TEST_F(BadExtras, FilesOfAStrangersLightsLieBesideItInSceneFilesToo) {
+  GltfBuilder builder = street();
+  say(builder, street_lamp, {{"intensity", {{"file", "../blink.txt"}}}});
+  folder_.write("below/street.glb", builder.glb());
+  folder_.write("blink.txt", "% interval 0 1 1\n");
+  const auto lines = faults_of([&] { load_toml("[[object]]\nasset = 'below/street.glb'\n"); });
+  EXPECT_THAT(only_fault(lines, "below/street.glb:" + street_lamp + "/extras/restframe"),
+              HasSubstr("/intensity/file: file \"../blink.txt\" leads out of the asset's folder"));
+}
+
 TEST_F(BadExtras, LightsAndCameras) {
   EXPECT_THAT(fault(street_lamp, {{"colour", "red"}}),
               HasSubstr("/colour: light \"lamp\": unknown key \"colour\", the nearest known one is "

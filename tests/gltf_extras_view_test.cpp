@@ -146,6 +146,28 @@ TEST_F(GltfExtrasView, ALightBelowAMovingNodeRides) {
                           "one is carried by a node or object that has a motion"));
 }
 
+// Turned by 90 degrees about y, x goes to -z.
+TEST_F(GltfExtrasView, InASceneFileALightsMotionTurnsWithItsObject) {
+  GltfBuilder builder = street();
+  say(builder, street_lamp,
+      {{"velocity", {0.6, 0, 0}}, {"time", 1}, {"type", "spot"}, {"direction", {1, 0, 0}}});
+  folder_.write("street.glb", builder.glb());
+  const Scene scene = load_toml(
+      "[[object]]\nname = 'city'\nasset = 'street.glb'\nposition = [10, 0, 0]\ntime = 2\n"
+      "rotation = [0, 90, 0]\nscale = 3\n");
+  const Light& light = scene.lights.at(0);
+  EXPECT_EQ(light.name, "city/lamp");
+  EXPECT_NEAR(glm::distance(light.worldline.reference.x, Vec3(10, 15, 0)), 0, 1e-12);
+  EXPECT_EQ(light.worldline.reference.t, 3);
+  EXPECT_NEAR(glm::distance(light.worldline.velocity.gamma_beta(), Vec3(0, 0, -0.75)), 0, 1e-15);
+  EXPECT_NEAR(glm::distance(light.direction, Vec3(0, 0, -1)), 0, 1e-15);
+  EXPECT_THAT(
+      faults_of([&] {
+        load_toml("[[object]]\nname = 'city'\nasset = 'street.glb'\nvelocity = [0, 0, 0.5]\n");
+      }),
+      ::testing::SizeIs(2));
+}
+
 TEST_F(GltfExtrasView, ALightAtTwoNodesIsTwoLights) {
   GltfBuilder builder = street();
   builder.json["nodes"][0]["extensions"] = builder.json["nodes"][3]["extensions"];

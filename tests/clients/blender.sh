@@ -2,14 +2,14 @@
 # Blender as a client: a scene with custom properties, exported by Blender's own exporter, rendered by
 # restframe, and compared with what the properties ask for.
 #     tests/clients/blender.sh [PROGRAM]        build/release/restframe unless given
-# Installs Debian's blender and python3-numpy (600 MB) where they are missing. Says so in one line and
+# Installs Debian's blender and python3-numpy (520 MB) where they are missing. Says so in one line and
 # succeeds where they can not be had, unless RESTFRAME_NEED_BLENDER is set.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/../support/packages.sh"
 program=$(realpath "${1:-$here/../../build/release/restframe}")
 
-if ! said=$(install_packages blender python3-numpy 2>&1); then
+if ! said=$(install_packages "${packages_blender[@]}" 2>&1); then
   echo "blender: skipped, its packages can not be had: $(tail -n 1 <<<"$said")"
   [ -z "${RESTFRAME_NEED_BLENDER:-}" ]
   exit
