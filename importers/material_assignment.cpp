@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "importers/material_change.h"
+#include "importers/object_parts.h"
 #include "scene/message.h"
 #include "scene/suggest.h"
 
@@ -39,14 +40,11 @@ constexpr std::size_t most_applications = 20'000'000;
 class Assignment {
  public:
   Assignment(const std::vector<MaterialChange>& changes, SceneFile& file)
-      : changes_(changes), file_(file) {}
+      : changes_(changes), file_(file), parts_(changes, file) {}
 
   void run();
 
  private:
-  bool shares_materials(std::size_t object) const;
-  bool belongs_to(int part, int object) const;
-  const ObjectMaterials& wanted_on(std::size_t object) const;
   void collect_slots();
   void collect_references();
   void add_candidate(Candidate candidate);
@@ -64,11 +62,11 @@ class Assignment {
 
   const std::vector<MaterialChange>& changes_;
   SceneFile& file_;
+  const ObjectParts parts_;
   std::vector<Candidate> candidates_;    // slots object by object, then new ones
   std::vector<std::size_t> first_slot_;  // of each object, in candidates_
   std::map<std::string, std::vector<std::size_t>> by_name_;
   std::set<std::pair<int, std::string>> references_;  // by object, and by every_object
-  std::set<std::string> named_objects_;               // by changes
   std::size_t applications_ = 0;
   std::map<Origin, int> scene_materials_;
   std::set<int> seen_changes_;
@@ -79,30 +77,10 @@ void Assignment::add_candidate(Candidate candidate) {
   candidates_.push_back(std::move(candidate));
 }
 
-// A moving node of an object has the object's materials, unless a change names it.
-bool Assignment::shares_materials(std::size_t object) const {
-  if (file_.object_materials[object].part_of < 0) return false;
-  return named_objects_.count(file_.scene.objects[object].name) == 0;
-}
-
-// Whether what holds on the object holds on the part, be it the same or a moving node of it.
-bool Assignment::belongs_to(int part, int object) const {
-  if (part < 0 || part == object) return part == object;
-  return file_.object_materials[static_cast<std::size_t>(part)].part_of == object;
-}
-
-const ObjectMaterials& Assignment::wanted_on(std::size_t object) const {
-  const int whole = file_.object_materials[object].part_of;
-  return file_.object_materials[whole < 0 ? object : static_cast<std::size_t>(whole)];
-}
-
 void Assignment::collect_slots() {
-  for (const MaterialChange& change : changes_) {
-    if (change.object) named_objects_.insert(change.object->name);
-  }
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
     first_slot_.push_back(candidates_.size());
-    if (shares_materials(i)) continue;
+    if (parts_.shares_materials(i)) continue;
     const int asset = file_.object_materials[i].asset;
     const auto& materials = file_.assets[static_cast<std::size_t>(asset)].materials;
     for (std::size_t slot = 0; slot < materials.size(); ++slot) {
@@ -115,8 +93,8 @@ void Assignment::collect_slots() {
 
 void Assignment::collect_references() {
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
-    if (shares_materials(i)) continue;
-    const ObjectMaterials& materials = wanted_on(i);
+    if (parts_.shares_materials(i)) continue;
+    const ObjectMaterials& materials = parts_.wanted_on(i);
     const auto add = [&](const MaterialReference& reference) {
       references_.insert({static_cast<int>(i), reference.name});
       references_.insert({every_object, reference.name});
@@ -135,7 +113,8 @@ std::vector<std::size_t> Assignment::targets(const MaterialChange& change, int o
   std::vector<std::size_t> found;
   const auto add_fitting = [&](const std::vector<std::size_t>& named) {
     for (const std::size_t i : named) {
-      if (object == every_object || belongs_to(candidates_[i].object, object)) found.push_back(i);
+      if (object == every_object || parts_.belongs_to(candidates_[i].object, object))
+        found.push_back(i);
     }
   };
   if (change.name.find('*') == std::string::npos) {
@@ -205,7 +184,7 @@ const Origin* Assignment::find(int object, const std::string& name) const {
     if (candidate.object == object) return &candidate.origin;
     if (candidate.object == every_object) {
       for_all = &candidate.origin;
-    } else if (belongs_to(object, candidate.object)) {
+    } else if (parts_.belongs_to(object, candidate.object)) {
       for_whole = &candidate.origin;
     }
   }
@@ -245,9 +224,9 @@ int Assignment::scene_material(const Origin& origin) {
 
 void Assignment::assign(int object) {
   const auto index = static_cast<std::size_t>(object);
-  const ObjectMaterials& wanted = wanted_on(index);
+  const ObjectMaterials& wanted = parts_.wanted_on(index);
   std::vector<int>& materials = file_.scene.objects[index].materials;
-  if (shares_materials(index)) {
+  if (parts_.shares_materials(index)) {
     const int whole = file_.object_materials[index].part_of;
     materials = file_.scene.objects[static_cast<std::size_t>(whole)].materials;
     return;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <set>
 
 #include "scene/generators.h"
 #include "support/authored_asset.h"
@@ -55,7 +56,7 @@ GltfBuilder authored() {
   say(builder, "/materials/0", "[base_color]\n" + blink);
   say(builder, "/nodes/0", {{"velocity", {0, 0, 0}}});
   say(builder, "/nodes/1", {{"velocity", {0.5, 0.25, 0.5}}, {"time", -6}, {"clock", 0.125}});
-  say(builder, "/nodes/2", "gamma = 3\ndirection = [-1, 0, 1]\ntime = -6\nclock = 'frame'");
+  say(builder, "/nodes/2", "gamma = 3\ndirection = [-1, 0, 1]\ntime = -10\nclock = 'frame'");
   say(builder, "/cameras/0", {{"velocity", {0, 0, -0.25}}, {"aperture", 0.0625}, {"focus", 8}});
   return builder;
 }
@@ -66,7 +67,7 @@ std::string same_as_scene_file() {
          "[[object]]\nname = 'still'\nasset = 'ball.glb'\nposition = [-3, 0, -10]\n"
          "[[object]]\nname = 'first'\nasset = 'ball.glb'\nposition = [1, 1, -8]\ntime = -6\n"
          "clock = 0.125\nvelocity = [0.5, 0.25, 0.5]\n"
-         "[[object]]\nname = 'second'\nasset = 'ball.glb'\nposition = [3, -2, -8]\ntime = -6\n"
+         "[[object]]\nname = 'second'\nasset = 'ball.glb'\nposition = [3, -2, -8]\ntime = -10\n"
          "clock = 'frame'\ngamma = 3\ndirection = [-1, 0, 1]\n"
          "[[material]]\nname = 'paint'\n[material.base_color]\n" +
          blink;
