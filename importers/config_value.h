@@ -10,9 +10,11 @@
 
 namespace restframe {
 
-// Counted from 1.
+// Where a value stands. Lines and columns are counted from 1; what an asset holds has a place there
+// instead (a number that the FaultList gives out), and lines only inside a text.
 struct TextPosition {
   int line = 1, column = 1;
+  int place = 0;  // 0: the settings file itself
 };
 
 struct ConfigValue;
@@ -26,10 +28,13 @@ struct ConfigTable {
 };
 
 struct ConfigDate {};
+struct ConfigNull {};  // of JSON
 
 struct ConfigValue {
   TextPosition at;
-  std::variant<bool, std::int64_t, double, std::string, ConfigDate, ConfigArray, ConfigTable> data;
+  std::variant<bool, std::int64_t, double, std::string, ConfigDate, ConfigArray, ConfigTable,
+               ConfigNull>
+      data;
 };
 
 struct ConfigEntry {

@@ -8,21 +8,29 @@
 
 namespace restframe {
 
-// Collects the faults of one file, so that a user sees all at once: the first thousand, since a
-// file of megabytes may have nothing else.
+// Collects the faults of one file and of what it is made of, so that a user sees all at once: the
+// first thousand, since a file of megabytes may have nothing else.
 class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}
+
+  // A place outside the file's own text, "car.glb:/nodes/3/extras", for TextPosition::place.
+  int add_place(std::string text);
+  // What lies in a place: "/nodes/3/extras" and "velocity" make "/nodes/3/extras/velocity".
+  int add_place(int parent, std::string step);
+  std::size_t places() const { return places_.size(); }
+  std::string place_text(int place) const;
 
   void add(TextPosition at, const std::string& what);
 
   // Those of another file that is named at `at`; they have positions of their own.
   void add(TextPosition at, const InputError& error);
 
-  // "FILE:LINE:COLUMN: what"
+  // "FILE:LINE:COLUMN: what", or "FILE:/json/pointer: what", or with LINE:COLUMN of a text there.
   std::string located(TextPosition at, const std::string& what) const;
 
   bool empty() const { return faults_.empty(); }
+  bool is_full() const { return faults_.size() >= 1000; }
 
   // Throws InputError with every fault, in the file's order, if there is any.
   void throw_any() const;
@@ -32,9 +40,13 @@ class FaultList {
     TextPosition at;
     std::string line;
   };
-  bool is_full() const { return faults_.size() >= 1000; }
+  struct Place {
+    int parent;  // 0: none
+    std::string step;
+  };
 
   std::string file_;
+  std::vector<Place> places_;  // number 1 is the first
   std::vector<Fault> faults_;
 };
 

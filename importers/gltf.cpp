@@ -19,6 +19,7 @@ namespace {
 
 // What the document says of the tree besides its nodes.
 struct GltfTreeParts {
+  std::vector<std::string> extensions;
   AssetTree tree;  // lights, cameras, and extras with glTF's indices
   std::vector<int> light_indices;
 };
@@ -28,6 +29,9 @@ GltfTreeParts take_tree_parts(const GltfContext& context, Json& document) {
   parts.tree.lights = read_gltf_lights(document);
   parts.tree.cameras = read_gltf_cameras(document);
   parts.light_indices = read_light_indices(document);
+  if (document.contains("extensionsUsed")) {
+    parts.extensions = document["extensionsUsed"].get<std::vector<std::string>>();
+  }
   parts.tree.extras = take_extras(context, document);
   return parts;
 }
@@ -133,6 +137,7 @@ Asset assemble(const GltfContext& context, const tinygltf::Model& model,
   Asset asset;
   asset.name = context.path.filename().string();
   asset.tree = std::move(parts.tree);
+  asset.extensions = std::move(parts.extensions);
   connect_extras(context, place_nodes(context, model, parts.light_indices, asset), asset.tree);
   read_meshes(context, model, asset);
   std::vector<UsedImage> used_images;

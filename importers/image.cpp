@@ -71,6 +71,7 @@ Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& wh
     throw InputError(what + ": image can not be decoded: " + stbi_failure_reason());
   }
   Image image;
+  image.format = bytes[0] == 0xFF ? "JPEG" : "PNG";
   image.width = width;
   image.height = height;
   image.rgba.assign(rgba, rgba + 4 * pixels);

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "importers/material_change.h"
+#include "importers/object_parts.h"
 #include "scene/message.h"
 #include "scene/suggest.h"
 
@@ -39,7 +40,7 @@ constexpr std::size_t most_applications = 20'000'000;
 class Assignment {
  public:
   Assignment(const std::vector<MaterialChange>& changes, SceneFile& file)
-      : changes_(changes), file_(file) {}
+      : changes_(changes), file_(file), parts_(changes, file) {}
 
   void run();
 
@@ -61,6 +62,7 @@ class Assignment {
 
   const std::vector<MaterialChange>& changes_;
   SceneFile& file_;
+  const ObjectParts parts_;
   std::vector<Candidate> candidates_;    // slots object by object, then new ones
   std::vector<std::size_t> first_slot_;  // of each object, in candidates_
   std::map<std::string, std::vector<std::size_t>> by_name_;
@@ -78,6 +80,7 @@ void Assignment::add_candidate(Candidate candidate) {
 void Assignment::collect_slots() {
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
     first_slot_.push_back(candidates_.size());
+    if (parts_.shares_materials(i)) continue;
     const int asset = file_.object_materials[i].asset;
     const auto& materials = file_.assets[static_cast<std::size_t>(asset)].materials;
     for (std::size_t slot = 0; slot < materials.size(); ++slot) {
@@ -90,7 +93,8 @@ void Assignment::collect_slots() {
 
 void Assignment::collect_references() {
   for (std::size_t i = 0; i < file_.object_materials.size(); ++i) {
-    const ObjectMaterials& materials = file_.object_materials[i];
+    if (parts_.shares_materials(i)) continue;
+    const ObjectMaterials& materials = parts_.wanted_on(i);
     const auto add = [&](const MaterialReference& reference) {
       references_.insert({static_cast<int>(i), reference.name});
       references_.insert({every_object, reference.name});
@@ -109,7 +113,8 @@ std::vector<std::size_t> Assignment::targets(const MaterialChange& change, int o
   std::vector<std::size_t> found;
   const auto add_fitting = [&](const std::vector<std::size_t>& named) {
     for (const std::size_t i : named) {
-      if (object == every_object || candidates_[i].object == object) found.push_back(i);
+      if (object == every_object || parts_.belongs_to(candidates_[i].object, object))
+        found.push_back(i);
     }
   };
   if (change.name.find('*') == std::string::npos) {
@@ -173,11 +178,17 @@ const Origin* Assignment::find(int object, const std::string& name) const {
   const auto own = std::lower_bound(indices.begin(), indices.end(),
                                     first_slot_[static_cast<std::size_t>(object)]);
   if (own != indices.end() && candidates_[*own].object == object) return &candidates_[*own].origin;
-  const Origin* for_all = nullptr;
+  const Origin *for_all = nullptr, *for_whole = nullptr;
   for (auto i = std::lower_bound(own, indices.end(), first_slot_.back()); i != indices.end(); ++i) {
-    if (candidates_[*i].object == object) return &candidates_[*i].origin;
-    if (candidates_[*i].object == every_object) for_all = &candidates_[*i].origin;
+    const Candidate& candidate = candidates_[*i];
+    if (candidate.object == object) return &candidate.origin;
+    if (candidate.object == every_object) {
+      for_all = &candidate.origin;
+    } else if (parts_.belongs_to(object, candidate.object)) {
+      for_whole = &candidate.origin;
+    }
   }
+  if (for_whole) return for_whole;
   if (for_all) return for_all;
   return indices.front() < first_slot_.back() ? &candidates_[indices.front()].origin : nullptr;
 }
@@ -213,8 +224,13 @@ int Assignment::scene_material(const Origin& origin) {
 
 void Assignment::assign(int object) {
   const auto index = static_cast<std::size_t>(object);
-  const ObjectMaterials& wanted = file_.object_materials[index];
+  const ObjectMaterials& wanted = parts_.wanted_on(index);
   std::vector<int>& materials = file_.scene.objects[index].materials;
+  if (parts_.shares_materials(index)) {
+    const int whole = file_.object_materials[index].part_of;
+    materials = file_.scene.objects[static_cast<std::size_t>(whole)].materials;
+    return;
+  }
   const Origin* all = wanted.all_slots ? find_or_report(object, *wanted.all_slots) : nullptr;
   const std::size_t first = first_slot_[index], count = first_slot_[index + 1] - first;
   for (std::size_t slot = 0; slot < count; ++slot) {

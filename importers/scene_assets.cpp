@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
+
+#include "importers/material_change.h"
 
 namespace restframe {
 namespace {
@@ -16,6 +19,14 @@ void shift(TextureUse& use, int first_texture) {
   if (use.texture >= 0) use.texture += first_texture;
 }
 
+void sort_by_name(const std::vector<AssetNode>& nodes, std::vector<int>& sorted) {
+  sorted.resize(nodes.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(), [&](int a, int b) {
+    return nodes[static_cast<std::size_t>(a)].name < nodes[static_cast<std::size_t>(b)].name;
+  });
+}
+
 }  // namespace
 
 SceneAsset add_asset(Scene& scene, Asset asset) {
@@ -23,6 +34,7 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   const int first_texture = static_cast<int>(scene.textures.size());
   const int first_image = static_cast<int>(scene.images.size());
   SceneAsset added;
+  added.name = asset.name;
   added.parts = std::move(asset.parts);
   for (Part& part : added.parts) part.mesh += first_mesh;
   added.tree = std::move(asset.tree);
@@ -37,6 +49,47 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   move_into(scene.textures, asset.textures);
   move_into(scene.images, asset.images);
   return added;
+}
+
+NodeRanges find_nodes(SceneAsset& asset, const std::string& pattern) {
+  const std::vector<AssetNode>& nodes = asset.tree.nodes;
+  const auto name_of = [&](int node) -> const std::string& {
+    return nodes[static_cast<std::size_t>(node)].name;
+  };
+  if (asset.nodes_by_name.empty()) sort_by_name(nodes, asset.nodes_by_name);
+  const std::string beginning = pattern.substr(0, pattern.find('*'));
+  auto each =
+      std::lower_bound(asset.nodes_by_name.begin(), asset.nodes_by_name.end(), beginning,
+                       [&](int node, const std::string& name) { return name_of(node) < name; });
+  std::vector<int> found;
+  for (; each != asset.nodes_by_name.end() && name_of(*each).starts_with(beginning); ++each) {
+    if (matches(pattern, name_of(*each))) found.push_back(*each);
+  }
+  std::sort(found.begin(), found.end());
+  NodeRanges ranges;
+  for (const int node : found) {
+    if (ranges.empty() || node >= ranges.back().end) ranges.push_back(subtree(asset.tree, node));
+  }
+  return united(std::move(ranges));
+}
+
+void drop_unused_meshes(Scene& scene) {
+  std::vector<int> new_index(scene.meshes.size(), -1);
+  for (const Object& object : scene.objects) {
+    for (const PlacedMesh& part : object.parts) new_index[static_cast<std::size_t>(part.mesh)] = 0;
+  }
+  std::vector<Mesh> kept;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    if (new_index[i] < 0) continue;
+    new_index[i] = static_cast<int>(kept.size());
+    kept.push_back(std::move(scene.meshes[i]));
+  }
+  scene.meshes = std::move(kept);
+  for (Object& object : scene.objects) {
+    for (PlacedMesh& part : object.parts) {
+      part.mesh = new_index[static_cast<std::size_t>(part.mesh)];
+    }
+  }
 }
 
 std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& nodes,

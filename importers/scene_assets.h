@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/asset.h"
@@ -9,13 +10,21 @@ namespace restframe {
 
 // What the objects made of one asset share, in the scene's indices.
 struct SceneAsset {
+  std::string name;                 // of its file, for messages
   std::vector<Part> parts;          // of all the asset's scenes, in the order of their nodes
   std::vector<Material> materials;  // by slot
   AssetTree tree;
+  std::vector<int> nodes_by_name;  // the tree's, sorted; made when somebody first looks for a name
 };
 
 // Moves the asset's meshes, textures and images into the scene.
 SceneAsset add_asset(Scene& scene, Asset asset);
+
+// The nodes whose names match the pattern (* stands for anything), with all that is below them.
+NodeRanges find_nodes(SceneAsset& asset, const std::string& pattern);
+
+// Removes the meshes that no object places: those of an asset's other scenes or nodes.
+void drop_unused_meshes(Scene& scene);
 
 // The parts of an object that holds these nodes, and whose coordinates are object_from_asset times
 // the asset's.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "importers/asset_view.h"
 #include "importers/file_hash.h"
 #include "importers/input_file.h"
 #include "importers/material_assignment.h"
@@ -16,15 +17,6 @@ namespace {
 
 constexpr std::size_t largest_scene_file = 16'000'000;
 
-// What a scene built of these files must pass all the same; what a file could say is reported with
-// its position before.
-void check_whole(const Scene& scene, const Path& path) {
-  std::vector<std::string> faults = validate(scene);
-  if (faults.empty()) return;
-  for (std::string& fault : faults) fault = path.string() + ": " + fault;
-  throw InputError(std::move(faults));
-}
-
 Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& warnings) {
   SceneFile file(path, limits, warnings);
   const std::string text =
@@ -36,38 +28,31 @@ Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& wa
   read_objects(root, file);
   read_camera(root, file);
   read_lights(root, file);
+  for (const AssetObjects& objects : file.lit_objects) add_asset_lights(objects, file);
   const std::vector<MaterialChange> changes = read_material_changes(root, file);
   root.finish();
   if (file.names_complete) assign_materials(changes, file);
   file.faults.throw_any();
+  drop_unused_meshes(file.scene);
   check_whole(file.scene, path);
   warn_of_open_glass(file.scene, path, warnings);
   return std::move(file.scene);
 }
 
-// The asset as one object at rest at the world's origin.
-Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
-  Scene scene;
-  Asset read = load_asset(path, limits, warnings);
-  add_asset_sources(scene, path.filename().string(), path, read);
-  SceneAsset asset = add_asset(scene, std::move(read));
-  Object object;
-  object.name = path.stem().string();
-  object.parts = placed_parts(asset, nodes_of_default_scene(asset.tree), Mat4(1));
-  scene.materials = std::move(asset.materials);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    object.materials.push_back(static_cast<int>(i));
-  }
-  scene.objects.push_back(std::move(object));
-  std::string stem = path.stem().string();
-  std::replace(stem.begin(), stem.end(), '#', '_');
-  scene.output.path = fmt::format("out/{}.####.exr", stem);
-  check_whole(scene, path);
-  warn_of_open_glass(scene, path, warnings);
-  return scene;
+}  // namespace
+
+void check_whole(const Scene& scene, const Path& path) {
+  std::vector<std::string> faults = validate(scene);
+  if (faults.empty()) return;
+  for (std::string& fault : faults) fault = path.string() + ": " + fault;
+  throw InputError(std::move(faults));
 }
 
-}  // namespace
+int add_scene_asset(Asset asset, const Path& path, SceneFile& file) {
+  file.assets.push_back(add_asset(file.scene, std::move(asset)));
+  file.authoring.push_back(read_asset_extras(file.assets.back(), path, file));
+  return static_cast<int>(file.assets.size()) - 1;
+}
 
 void add_source(Scene& scene, const std::string& name, const Path& path) {
   const auto has_name = [&](const SourceFile& source) { return source.name == name; };

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "importers/asset_extras.h"
 #include "importers/importers.h"
 #include "importers/scene_assets.h"
 #include "importers/toml_reader.h"
@@ -28,6 +29,16 @@ struct ObjectMaterials {
   int asset = -1;  // index into SceneFile::assets; -1: it could not be read
   std::optional<MaterialReference> all_slots;
   std::map<int, MaterialReference> slots;
+  int part_of =
+      -1;  // the object that this one is a moving node of: its `slots` are this one's, too
+};
+
+// The objects that an asset is placed as.
+struct AssetObjects {
+  int whole = 0;                 // what has no motion of its own
+  std::map<int, int> of_motion;  // those of its authoring's motions
+  std::string prefix;            // of the names of its lights
+  NodeRanges nodes;              // of the asset; those that are shown
 };
 
 struct SceneFile {
@@ -43,12 +54,17 @@ struct SceneFile {
   FaultList faults;
   Scene scene;
   std::vector<SceneAsset> assets;
-  std::size_t triangles = 0;  // of all assets
+  std::vector<AssetAuthoring> authoring;  // one an asset
+  std::optional<Path> asset_being_read;   // its extras: what they name lies in its folder
+  std::size_t triangles = 0;              // of all assets
   std::map<std::string, int> object_of_name;
+  std::map<std::string, int> light_names;   // with the last number that made one of it
   std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
+  int object_tables = 0;       // [[object]]s so far
   std::vector<ObjectMaterials> object_materials;  // one an object
   std::vector<Mat4> object_from_asset;            // likewise; the asset's units to light-seconds
+  std::vector<AssetObjects> lit_objects;          // whose assets' lights shine
 };
 
 // A property as a file gives it: constant, or an index into Scene::functions.
@@ -72,9 +88,14 @@ void read_objects(TableReader& root, SceneFile& file);
 void read_camera(TableReader& root, SceneFile& file);
 void read_lights(TableReader& root, SceneFile& file);
 std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file);
+// What a material may say besides its name.
+void read_material_properties(TableReader& material, MaterialChange& change, SceneFile& file);
 
 // The asset, lattice or sphere that an object's table asks for, as an index into SceneFile::assets.
 std::optional<int> read_asset(TableReader& object, SceneFile& file);
+
+// The nodes of the asset that an object's table picks: of a scene, of names, without others.
+NodeRanges read_nodes(TableReader& object, SceneAsset& asset);
 
 // The index of the object whose name stands under `key`.
 std::optional<int> read_object_reference(TableReader& table, const std::string& key,
@@ -100,6 +121,15 @@ Velocity read_velocity(TableReader& table);
 
 // A vector of any length but zero, made one of length one.
 std::optional<Vec3> read_direction(TableReader& table, const std::string& key);
+
+// Adds the asset to the scene with all that it says, and returns its index in SceneFile::assets.
+int add_scene_asset(Asset asset, const Path& path, SceneFile& file);
+
+// What a scene must pass however it was made. Throws InputError, the file's name before each fault.
+void check_whole(const Scene& scene, const Path& path);
+
+// An asset in place of a scene file: what it says of itself is the scene.
+Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings);
 
 // Notes a file that went into the scene. Throws InputError if it can not be read.
 void add_source(Scene& scene, const std::string& name, const Path& path);

@@ -12,11 +12,18 @@ std::size_t stored_triangles(const std::vector<Mesh>& meshes) {
   return triangles;
 }
 
-// Adds what `load` returns, unless the scene has it under `key` already. Faults are reported at
-// `at`.
+// What is said of a scene as a whole is said by the scene file.
+void warn_of_scene(const AssetAuthoring& said, SceneFile& file) {
+  if (!said.scene) return;
+  file.warnings.push_back(file.faults.located(
+      said.scene->at, "is left out: the scene file says it, which names this asset"));
+}
+
+// Adds what `load` returns, unless the scene has it under `key` already; its file, if it has one,
+// lies at `path`. Faults are reported at `at`.
 template <class Load>
 std::optional<int> shared_asset(SceneFile& file, TextPosition at, const std::string& key,
-                                const Reporter& report, const Load& load) {
+                                const Path& path, const Reporter& report, const Load& load) {
   const auto known = file.asset_of_key.find(key);
   if (known != file.asset_of_key.end()) return known->second;
   try {
@@ -27,7 +34,8 @@ std::optional<int> shared_asset(SceneFile& file, TextPosition at, const std::str
                              file.triangles, file.limits.triangles));
       return std::nullopt;
     }
-    file.assets.push_back(add_asset(file.scene, std::move(asset)));
+    add_scene_asset(std::move(asset), path, file);
+    warn_of_scene(file.authoring.back(), file);
   } catch (const InputError& error) {
     file.faults.add(at, error);
     return std::nullopt;
@@ -46,7 +54,7 @@ std::optional<int> read_asset_file(TableReader& object, SceneFile& file) {
   }
   std::error_code ignored;
   const Path canonical = std::filesystem::weakly_canonical(path, ignored);
-  return shared_asset(file, at, "file " + canonical.string(), object.report, [&] {
+  return shared_asset(file, at, "file " + canonical.string(), path, object.report, [&] {
     Asset asset = load_asset(path, file.limits, file.warnings);
     add_asset_sources(file.scene, *name, path, asset);
     return asset;
@@ -98,7 +106,7 @@ std::optional<int> read_lattice(TableReader& object, SceneFile& file) {
   const std::string key = fmt::format(
       "lattice {} {} {} {} {} {} {} {}", settings.cells_x, settings.cells_y, settings.cells_z,
       settings.pitch, settings.ball_radius, settings.rod_radius, settings.fineness, flat);
-  return shared_asset(file, table->at, key, reader.report,
+  return shared_asset(file, table->at, key, {}, reader.report,
                       [&] { return make_lattice(settings, flat); });
 }
 
@@ -112,7 +120,7 @@ std::optional<int> read_sphere(TableReader& object, SceneFile& file) {
   reader.finish();
   if (!accepted(ball_faults(settings), table->at, reader.report)) return std::nullopt;
   const std::string key = fmt::format("sphere {} {}", settings.radius, settings.fineness);
-  return shared_asset(file, table->at, key, reader.report,
+  return shared_asset(file, table->at, key, {}, reader.report,
                       [&] { return make_sphere_asset(settings); });
 }
 

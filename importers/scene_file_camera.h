@@ -7,6 +7,18 @@
 
 namespace restframe {
 
+// Where an asset's camera stands: what holds of it where its table says nothing else.
+struct CameraStart {
+  Vec3 position{0};  // light-seconds, world
+  Vec3 direction{0, 0, -1}, up{0, 1, 0};
+  double vertical_fov = 1;           // radians
+  std::optional<Worldline> carried;  // by a node that moves: its clock shows 0 at the reference
+};
+
+// The keys of [camera] in `table`, into the scene's camera.
+void read_camera_table(const ConfigTable& table, const std::optional<CameraStart>& start,
+                       SceneFile& file);
+
 // `look_at`, `direction` or `track`; nothing if the table has none of them, or a faulty one.
 std::optional<Aim> read_aim(TableReader& table, const Vec3& up, const SceneFile& file);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "importers/asset_file.h"
 #include "importers/csv_function.h"
 #include "importers/input_file.h"
 #include "importers/paper_intervals.h"
@@ -78,6 +79,41 @@ void refuse_csv_keys(TableReader& table) {
   }
 }
 
+// A file from a stranger names only files beside it.
+Path named_path(const std::string& name, TextPosition at, const SceneFile& file) {
+  if (!file.asset_being_read) return file.path.parent_path() / Path(name);
+  const Path folder = folder_of(*file.asset_being_read);
+  const std::string what = file.faults.located(at, fmt::format("file \"{}\"", name));
+  return find_asset_file(folder, folder, name, what).value_or(folder / name);
+}
+
+// As it is called from where the file of the scene lies.
+std::string source_name(const std::string& name, const Path& path, const SceneFile& file) {
+  if (!file.asset_being_read) return name;
+  const Path folder = std::filesystem::canonical(folder_of(file.path));
+  return path.lexically_proximate(folder).generic_string();
+}
+
+std::optional<TemporalFunction> read_named_file(TableReader& table, const std::string& name,
+                                                const std::optional<double>& period,
+                                                const ValueRule& rule, SceneFile& file) {
+  const Path path = named_path(name, table.place("file"), file);
+  const bool is_csv = lower_extension(path) == ".csv";
+  std::optional<CsvRequest> request;
+  if (is_csv) request = read_csv_request(table, period, rule);
+  if (!is_csv) refuse_csv_keys(table);
+  if (const auto fault = input_file_fault(path)) {
+    table.report(table.place("file"), fmt::format("file \"{}\": {}", name, *fault));
+    return std::nullopt;
+  }
+  if (is_csv && !request) return std::nullopt;
+  TemporalFunction function;
+  if (is_csv) function = read_csv_function(path, *request, rule);
+  if (!is_csv) function = read_paper_intervals(path, rule);
+  add_source(file.scene, source_name(name, path, file), path);
+  return function;
+}
+
 }  // namespace
 
 std::optional<TemporalFunction> read_function_file(TableReader& table,
@@ -85,22 +121,8 @@ std::optional<TemporalFunction> read_function_file(TableReader& table,
                                                    const ValueRule& rule, SceneFile& file) {
   const auto name = table.text("file");
   if (!name) return std::nullopt;
-  const Path path = file.path.parent_path() / Path(*name);
-  const bool is_csv = lower_extension(path) == ".csv";
-  std::optional<CsvRequest> request;
-  if (is_csv) request = read_csv_request(table, period, rule);
-  if (!is_csv) refuse_csv_keys(table);
-  if (const auto fault = input_file_fault(path)) {
-    table.report(table.place("file"), fmt::format("file \"{}\": {}", *name, *fault));
-    return std::nullopt;
-  }
-  if (is_csv && !request) return std::nullopt;
   try {
-    TemporalFunction function;
-    if (is_csv) function = read_csv_function(path, *request, rule);
-    if (!is_csv) function = read_paper_intervals(path, rule);
-    add_source(file.scene, *name, path);
-    return function;
+    return read_named_file(table, *name, period, rule, file);
   } catch (const InputError& error) {
     file.faults.add(table.place("file"), error);
     return std::nullopt;

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "importers/material_change.h"
+#include "importers/moving_nodes.h"
+#include "importers/scene_file_light.h"
 #include "importers/scene_file_motion.h"
 
 namespace restframe {
@@ -57,12 +59,25 @@ void read_cone(TableReader& table, Light& light) {
   light.outer_cone = glm::radians(*outer);
 }
 
-void read_sweep(TableReader& light_table, SceneFile& file, Light& light) {
+// A direction in the coordinates of an object's asset, in its rest frame.
+Vec3 turned(const Mat4& object_from_asset, const Vec3& direction) {
+  return glm::normalize(Mat3(object_from_asset) * direction);
+}
+
+// In the coordinates of the light's asset, if it has one.
+std::optional<Vec3> read_turned(TableReader& table, const std::string& key,
+                                const LightStart* start) {
+  const auto direction = read_direction(table, key);
+  if (!direction || start == nullptr) return direction;
+  return turned(start->object_from_asset, *direction);
+}
+
+void read_sweep(TableReader& light_table, const LightStart* start, SceneFile& file, Light& light) {
   const ConfigTable* table = light_table.table("sweep");
   if (!table) return;
   TableReader reader(*table, {file.faults, light_table.report.name + ": sweep"});
   Sweep sweep;
-  sweep.axis = read_direction(reader, "axis").value_or(sweep.axis);
+  sweep.axis = read_turned(reader, "axis", start).value_or(sweep.axis);
   if (!reader.has("period")) reader.report(table->at, "period is missing");
   sweep.period = reader.number("period", above(0)).value_or(1);
   reader.finish();
@@ -82,11 +97,6 @@ void read_group(TableReader& table, Light& light) {
                  fmt::format("group is \"{}\", must be letters, digits, _ and - only", *group));
   }
   light.group = *group;
-}
-
-// A direction in the coordinates of an object's asset, in its rest frame.
-Vec3 turned(const Mat4& object_from_asset, const Vec3& direction) {
-  return glm::normalize(Mat3(object_from_asset) * direction);
 }
 
 void ride(int index, const Vec3& position, const SceneFile& file, Light& light) {
@@ -111,12 +121,38 @@ void read_ride(TableReader& table, const SceneFile& file, Light& light) {
   if (index) ride(*index, position, file, light);
 }
 
-void read_place(TableReader& table, const SceneFile& file, Light& light) {
-  if (table.has("on")) return read_ride(table, file, light);
-  const ClockedWorldline own = read_clocked_worldline(table, "motion", file.scene.light_speed);
+void set(const ClockedWorldline& own, Light& light) {
   light.worldline = own.worldline;
   light.clock = own.clock;
   light.frame_clock = own.frame_clock;
+}
+
+// Of a light of an asset, which has a place already.
+void read_start(TableReader& table, const LightStart& start, const SceneFile& file, Light& light) {
+  bool says_motion = false;
+  for (const char* key : {"position", "time", "velocity", "gamma", "motion", "clock"}) {
+    if (!table.has(key)) continue;
+    says_motion = true;
+    if (!start.carried) continue;
+    table.report(table.key_place(key), fmt::format("{} goes with a light at rest only: this one is "
+                                                   "carried by a node or object that has a motion",
+                                                   key));
+  }
+  if (!says_motion || start.carried) return;
+  const Object& base = file.scene.objects[static_cast<std::size_t>(start.object)];
+  ClockedWorldline own = read_clocked_worldline(table, "motion", 1, start.position);
+  own.worldline = in_world(own.worldline, base, start.object_from_asset);
+  if (!table.has("clock")) {
+    own.clock = base.clock;
+    own.frame_clock = base.frame_clock;
+  }
+  set(own, light);
+}
+
+void read_place(TableReader& table, const LightStart* start, const SceneFile& file, Light& light) {
+  if (table.has("on")) return read_ride(table, file, light);
+  if (start != nullptr) return read_start(table, *start, file, light);
+  set(read_clocked_worldline(table, "motion", file.scene.light_speed), light);
 }
 
 // An intensity over time is none in its gaps: the light is off.
@@ -128,36 +164,51 @@ void read_emission(TableReader& table, SceneFile& file, Light& light) {
   if (light.intensity.function != no_function) light.intensity.value = 0;
 }
 
-std::string read_light_name(TableReader& table, const SceneFile& file) {
-  const std::vector<Light>& lights = file.scene.lights;
-  std::string name = table.text("name").value_or(table.report.name);
-  const auto has_name = [&](const Light& light) { return light.name == name; };
-  if (std::any_of(lights.begin(), lights.end(), has_name)) {
+// The name, or with a number that makes it one of its own.
+std::string claim_name(const std::string& wanted, SceneFile& file) {
+  const auto [known, is_new] = file.light_names.emplace(wanted, 1);
+  std::string name = wanted;
+  if (is_new) return name;
+  do {
+    name = fmt::format("{}_{}", wanted, ++known->second);
+  } while (!file.light_names.emplace(name, 1).second);
+  return name;
+}
+
+std::string read_light_name(TableReader& table, const LightStart* start, SceneFile& file) {
+  const std::optional<std::string> given = table.text("name");
+  if (start && !given) return claim_name(start->light.name, file);
+  std::string name = given.value_or(table.report.name);
+  if (!file.light_names.emplace(name, 1).second) {
     table.report.faults.add(table.place("name"),
                             fmt::format("two lights have the name \"{}\"", name));
   }
   return name;
 }
 
-void read_light(const ConfigTable& table, SceneFile& file) {
-  TableReader unnamed(table, {file.faults, fmt::format("light_{}", file.scene.lights.size() + 1)});
-  Light light;
-  light.name = read_light_name(unnamed, file);
-  TableReader reader(table, {file.faults, fmt::format("light \"{}\"", light.name)});
-  reader.find("name");
+void read_type(TableReader& reader, const LightStart* start, Light& light) {
   const std::optional<std::size_t> type = reader.choice("type", type_names);
-  if (!reader.has("type")) {
-    reader.report(table.at,
+  if (!reader.has("type") && !start) {
+    reader.report(reader.place(),
                   fmt::format("type is missing, must be one of {}", fmt::join(type_names, ", ")));
   }
-  if (type) {
-    light.kind = static_cast<LightKind>(*type);
-    refuse_keys_of_others(reader, light.kind);
-  }
-  light.direction = read_direction(reader, "direction").value_or(light.direction);
+  if (type) light.kind = static_cast<LightKind>(*type);
+  if (type || start) refuse_keys_of_others(reader, light.kind);
+}
+
+}  // namespace
+
+void read_light(const ConfigTable& table, const LightStart* start, SceneFile& file) {
+  TableReader unnamed(table, {file.faults, fmt::format("light_{}", file.scene.lights.size() + 1)});
+  Light light = start ? start->light : Light{};
+  light.name = read_light_name(unnamed, start, file);
+  TableReader reader(table, {file.faults, fmt::format("light \"{}\"", light.name)});
+  reader.find("name");
+  read_type(reader, start, light);
+  light.direction = read_turned(reader, "direction", start).value_or(light.direction);
   read_cone(reader, light);
-  read_sweep(reader, file, light);
-  read_place(reader, file, light);
+  read_sweep(reader, start, file, light);
+  read_place(reader, start, file, light);
   read_emission(reader, file, light);
   read_group(reader, light);
   reader.not_supported({"temperature", "file", "rotation"});
@@ -165,13 +216,15 @@ void read_light(const ConfigTable& table, SceneFile& file) {
   file.scene.lights.push_back(std::move(light));
 }
 
-}  // namespace
+void warn_of_unused_lights(TextPosition at, SceneFile& file) {
+  if (file.scene.render.integrator == IntegratorKind::path) return;
+  file.warnings.push_back(
+      file.faults.located(at, "lights are used by integrator = \"path\" only, see [render]"));
+}
 
 void read_lights(TableReader& root, SceneFile& file) {
-  for (const ConfigTable* table : root.tables("light")) read_light(*table, file);
-  if (file.scene.lights.empty() || file.scene.render.integrator == IntegratorKind::path) return;
-  file.warnings.push_back(file.faults.located(
-      root.place("light"), "lights are used by integrator = \"path\" only, see [render]"));
+  for (const ConfigTable* table : root.tables("light")) read_light(*table, nullptr, file);
+  if (root.has("light")) warn_of_unused_lights(root.place("light"), file);
 }
 
 }  // namespace restframe

@@ -52,6 +52,10 @@ std::optional<MaterialChange> read_change(const ConfigTable& table, SceneFile& f
 
 }  // namespace
 
+void read_material_properties(TableReader& material, MaterialChange& change, SceneFile& file) {
+  read_properties(material, change, file);
+}
+
 std::vector<MaterialChange> read_material_changes(TableReader& root, SceneFile& file) {
   std::vector<MaterialChange> changes;
   for (const ConfigTable* table : root.tables("material")) {

@@ -32,9 +32,9 @@ void read_clock(TableReader& table, ClockedWorldline& read) {
 }  // namespace
 
 ClockedWorldline read_clocked_worldline(TableReader& table, const std::string& heading,
-                                        double light_speed) {
+                                        double light_speed, const Vec3& position) {
   ClockedWorldline read;
-  read.worldline.reference.x = table.vector("position").value_or(Vec3(0)) / light_speed;
+  read.worldline.reference.x = table.vector("position").value_or(position) / light_speed;
   read.worldline.reference.t = table.number("time").value_or(0);
   read.worldline.velocity = read_velocity_or_gamma(table, heading);
   read_clock(table, read);

@@ -2,6 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "importers/moving_nodes.h"
 #include "importers/scene_file_motion.h"
 #include "scene/suggest.h"
 
@@ -56,7 +57,7 @@ ObjectMaterials read_materials(TableReader& table, std::optional<int> asset,
 }
 
 std::string read_name(const ConfigTable& table, SceneFile& file) {
-  const std::string fallback = fmt::format("object_{}", file.scene.objects.size() + 1);
+  const std::string fallback = fmt::format("object_{}", ++file.object_tables);
   TableReader reader(table, {file.faults, fallback});
   std::string name = reader.text("name").value_or(fallback);
   const int index = static_cast<int>(file.scene.objects.size());
@@ -64,6 +65,34 @@ std::string read_name(const ConfigTable& table, SceneFile& file) {
     file.faults.add(reader.place("name"), fmt::format("two objects have the name \"{}\"", name));
   }
   return name;
+}
+
+// Nodes that have motions of their own move by them, unless the object has one.
+NodeGroups read_groups(TableReader& object, const AssetAuthoring& said, const AssetTree& tree,
+                       const NodeRanges& nodes) {
+  NodeGroups groups = grouped(said, nodes);
+  if (groups.moving.empty()) return groups;
+  for (const char* key : {"velocity", "gamma"}) {
+    if (!object.has(key)) continue;
+    const NodeMotion& motion = said.motions[static_cast<std::size_t>(groups.moving.begin()->first)];
+    object.report(
+        object.key_place(key),
+        fmt::format("{} and the asset's own motion of node \"{}\" ({}) exclude each other", key,
+                    node_name(tree, motion.node),
+                    object.report.faults.place_text(motion.at.place)));
+    groups.moving.clear();
+  }
+  return groups;
+}
+
+// Of nodes that are there, but have nothing to show.
+void warn_if_empty(TableReader& reader, const SceneAsset& asset, const Object& object,
+                   const NodeGroups& groups, SceneFile& file) {
+  const bool picks = reader.has("node") || reader.has("without") || reader.has("scene");
+  const bool is_empty = object.parts.empty() && groups.moving.empty() && !asset.parts.empty();
+  if (!picks || !is_empty || !file.faults.empty()) return;
+  file.warnings.push_back(file.faults.located(
+      reader.place(), reader.report.name + ": the nodes that it picks hold no triangles"));
 }
 
 void read_object(const ConfigTable& table, SceneFile& file) {
@@ -77,16 +106,26 @@ void read_object(const ConfigTable& table, SceneFile& file) {
   object.frame_clock = own.frame_clock;
   const Mat4 object_from_asset = read_placement(reader, file.scene.light_speed);
   const std::optional<int> asset = read_asset(reader, file);
+  for (const char* key : {"scene", "node", "without", "lights"}) reader.find(key);
+  NodeGroups groups;
+  NodeRanges nodes;
   if (asset) {
-    const SceneAsset& its_asset = file.assets[static_cast<std::size_t>(*asset)];
-    object.parts =
-        placed_parts(its_asset, nodes_of_default_scene(its_asset.tree), object_from_asset);
+    SceneAsset& its_asset = file.assets[static_cast<std::size_t>(*asset)];
+    nodes = read_nodes(reader, its_asset);
+    groups = read_groups(reader, file.authoring[static_cast<std::size_t>(*asset)], its_asset.tree,
+                         nodes);
+    object.parts = placed_parts(its_asset, groups.resting, object_from_asset);
+    warn_if_empty(reader, its_asset, object, groups, file);
   }
   file.object_from_asset.push_back(object_from_asset);
   file.object_materials.push_back(read_materials(reader, asset, file));
-  reader.not_supported({"node"});
+  const bool with_lights = reader.boolean("lights").value_or(true);
   reader.finish();
+  const auto index = static_cast<int>(file.scene.objects.size());
+  const std::string prefix = object.name + "/";
   file.scene.objects.push_back(std::move(object));
+  const std::map<int, int> moving = add_moving_nodes(index, groups.moving, prefix, file);
+  if (asset && with_lights) file.lit_objects.push_back({index, moving, prefix, std::move(nodes)});
 }
 
 }  // namespace

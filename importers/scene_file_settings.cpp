@@ -105,16 +105,30 @@ void read_layers(TableReader& output, OutputSettings& settings) {
   settings.layers = read_layers(*names, output);
 }
 
+// An asset, which may be a stranger's, writes below the current folder only.
+bool leads_out(const Path& path) {
+  return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+}
+
+void read_path(TableReader& output, SceneFile& file) {
+  const auto path = output.text("path");
+  if (!path) return;
+  file.scene.output.path = *path;
+  const auto fault = output_pattern_fault(*path, file.scene.animation.pictures);
+  if (fault) output.report(output.place("path"), *fault);
+  if (!file.asset_being_read || !leads_out(*path)) return;
+  output.report(output.place("path"),
+                fmt::format("path is \"{}\", must lie in the current folder or below: an asset "
+                            "chooses no other; --output does",
+                            *path));
+}
+
 void read_output(TableReader& root, SceneFile& file) {
   OutputSettings& settings = file.scene.output;
   const ConfigTable* table = root.table("output");
   if (!table) return;
   TableReader output(*table, {file.faults, "output"});
-  if (const auto path = output.text("path")) {
-    settings.path = *path;
-    const auto fault = output_pattern_fault(*path, file.scene.animation.pictures);
-    if (fault) output.report(output.place("path"), *fault);
-  }
+  read_path(output, file);
   read_layers(output, settings);
   if (const auto index = output.choice("compression", compression_names)) {
     settings.compression = static_cast<Compression>(*index);

@@ -123,6 +123,7 @@ TextPosition TableReader::key_place(const std::string& key) const {
 
 void TableReader::finish() {
   for (const ConfigEntry& entry : table_.entries) {
+    if (report.faults.is_full()) return;
     if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
     report(entry.key_at,
            fmt::format("unknown key \"{}\", the nearest known one is \"{}\" (known here: {})",

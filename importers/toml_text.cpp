@@ -18,19 +18,19 @@ namespace {
 
 constexpr int deepest_key = 32;
 
-TextPosition position_of(const toml::source_region& source) {
-  return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+TextPosition position_of(const toml::source_region& source, int place) {
+  return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column), place};
 }
 
-ConfigTable config_table(const toml::table& table);
+ConfigTable config_table(const toml::table& table, int place);
 
-ConfigValue config_value(const toml::node& node) {
-  ConfigValue value{position_of(node.source()), false};
+ConfigValue config_value(const toml::node& node, int place) {
+  ConfigValue value{position_of(node.source(), place), false};
   if (const auto* table = node.as_table()) {
-    value.data = config_table(*table);
+    value.data = config_table(*table, place);
   } else if (const auto* array = node.as_array()) {
     ConfigArray elements;
-    for (const toml::node& element : *array) elements.push_back(config_value(element));
+    for (const toml::node& element : *array) elements.push_back(config_value(element, place));
     value.data = std::move(elements);
   } else if (const auto* text = node.as_string()) {
     value.data = text->get();
@@ -46,11 +46,11 @@ ConfigValue config_value(const toml::node& node) {
   return value;
 }
 
-ConfigTable config_table(const toml::table& table) {
-  ConfigTable result{position_of(table.source()), {}};
+ConfigTable config_table(const toml::table& table, int place) {
+  ConfigTable result{position_of(table.source(), place), {}};
   for (const auto& [key, node] : table) {
     result.entries.push_back(
-        {std::string(key.str()), position_of(key.source()), config_value(node)});
+        {std::string(key.str()), position_of(key.source(), place), config_value(node, place)});
   }
   // toml++ sorts by name; faults read better in the file's order.
   std::stable_sort(result.entries.begin(), result.entries.end(),
@@ -108,14 +108,14 @@ void check_key_depth(std::string_view text, const std::string& file) {
 
 }  // namespace
 
-ConfigTable parse_toml(const std::string& text, const std::string& file) {
+ConfigTable parse_toml(const std::string& text, const std::string& file, int place) {
   check_key_depth(text, file);
   try {
-    return config_table(toml::parse(text, file));
+    return config_table(toml::parse(text, file), place);
   } catch (const toml::parse_error& error) {
     std::string what(error.description());
     std::replace(what.begin(), what.end(), '\n', ' ');
-    const TextPosition at = position_of(error.source());
+    const TextPosition at = position_of(error.source(), place);
     throw InputError(fmt::format("{}:{}:{}: {}", file, at.line, at.column, what));
   }
 }

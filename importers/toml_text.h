@@ -6,7 +6,8 @@
 
 namespace restframe {
 
-// Parses TOML. Throws InputError ("FILE:LINE:COLUMN: what") where it is none.
-ConfigTable parse_toml(const std::string& text, const std::string& file);
+// Parses TOML. Throws InputError ("FILE:LINE:COLUMN: what") where it is none. `place`: that of all
+// positions.
+ConfigTable parse_toml(const std::string& text, const std::string& file, int place = 0);
 
 }  // namespace restframe

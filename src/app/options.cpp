@@ -166,9 +166,11 @@ Options parse_options(int argc, char** argv) {
   const CLI::App* render_command = add_render(app, render, texts);
   const CLI::App* lattice_command = add_lattice(app, lattice, texts);
   const CLI::App* curves_command = add_curves(app, curves, texts);
-  CLI::App* info_command = app.add_subcommand(
-      "info", "Say what a scene or an asset holds: objects, rest frames, triangles, memory");
+  CLI::App* info_command = app.add_subcommand("info",
+                                              "Say what a scene or an asset holds: rest frames, "
+                                              "objects; the asset as a tree, sizes, memory");
   info_command->add_option("FILE", info.file, "A scene file or an asset")->required();
+  info_command->add_flag("--json", info.json, "As JSON, for programs; see scenes/reference.md");
   CLI::App* check_command =
       app.add_subcommand("check", "List every fault of a scene or an asset, render nothing");
   check_command->add_option("FILE", check.file, "A scene file or an asset")->required();

@@ -33,6 +33,7 @@ struct LatticeOptions {
 
 struct InfoOptions {
   std::string file;
+  bool json = false;
 };
 
 struct CheckOptions {

@@ -28,6 +28,7 @@ struct Asset {
   std::vector<Texture> textures;
   std::vector<Image> images;
   AssetTree tree;
+  std::vector<std::string> extensions;    // that the file says it uses
   std::set<std::filesystem::path> files;  // canonical; those read besides the one of that name
 };
 

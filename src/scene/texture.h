@@ -16,6 +16,7 @@ struct Image {
   std::string name;
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
+  std::string format{};  // of the file that it was read from: "PNG", "JPEG"
 };
 
 // An image as one use of it sees it. Colour textures (base colour, emission) hold sRGB, data
