@@ -28,10 +28,7 @@ std::size_t bytes(const std::vector<T>& values) {
 
 std::size_t mesh_bytes(const Scene& scene) {
   std::size_t sum = 0;
-  for (const Mesh& m : scene.meshes) {
-    sum += bytes(m.positions) + bytes(m.triangles) + bytes(m.normals) + bytes(m.uvs[0]) +
-           bytes(m.uvs[1]) + bytes(m.colors);
-  }
+  for (const Mesh& mesh : scene.meshes) sum += bytes_of(mesh);
   return sum;
 }
 
