@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "importers/gltf_buffers.h"
 #include "importers/gltf_check.h"
 #include "importers/gltf_container.h"
 #include "importers/gltf_geometry.h"
@@ -10,39 +11,10 @@
 #include "importers/gltf_mesh.h"
 #include "importers/gltf_model.h"
 #include "importers/gltf_nodes.h"
+#include "importers/gltf_variants.h"
 
 namespace restframe {
 namespace {
-
-void fit_to_length(const GltfContext& context, const std::string& pointer, Bytes& bytes,
-                   std::size_t length, std::size_t tolerated) {
-  if (bytes.size() < length || bytes.size() > length + tolerated) {
-    context.fault(pointer, "byteLength is " + std::to_string(length) + ", but there are " +
-                               std::to_string(bytes.size()) + " bytes");
-  }
-  bytes.resize(length);
-}
-
-// The bytes of every buffer of the document, exactly as many as it says.
-std::vector<Bytes> read_buffers(const GltfContext& context, Json& document,
-                                std::optional<Bytes> bin) {
-  std::vector<Bytes> buffers;
-  if (!document.contains("buffers")) return buffers;
-  for (Json& buffer : document["buffers"]) {
-    const std::string pointer = "/buffers/" + std::to_string(buffers.size());
-    const auto length = buffer["byteLength"].get<std::size_t>();
-    if (buffer.contains("uri")) {
-      const std::string uri = std::move(buffer["uri"].get_ref<std::string&>());
-      buffers.push_back(read_uri(context, pointer + "/uri", uri, context.limits.total_bytes));
-      fit_to_length(context, pointer, buffers.back(), length, 0);
-    } else {
-      if (!buffers.empty() || !bin) context.fault(pointer, "has neither a uri nor a BIN chunk");
-      buffers.push_back(std::move(*bin));
-      fit_to_length(context, pointer, buffers.back(), length, 3);  // chunks are padded
-    }
-  }
-  return buffers;
-}
 
 void warn_of_degenerate(const GltfContext& context, const std::vector<Mesh>& meshes) {
   std::size_t count = 0;
@@ -53,14 +25,17 @@ void warn_of_degenerate(const GltfContext& context, const std::vector<Mesh>& mes
 }
 
 // Reads every mesh, so that no fault hides, and keeps those that parts use.
-void read_meshes(const GltfContext& context, const tinygltf::Model& model, Asset& asset) {
-  std::vector<int> kept(model.meshes.size(), -1);
+void read_meshes(const GltfContext& context, const tinygltf::Model& model,
+                 const std::vector<MeshVariant>& variants, Asset& asset) {
+  std::vector<int> kept(variants.size(), -1);
+  Skins skins(context, model);
   for (const Part& part : asset.parts) kept[static_cast<std::size_t>(part.mesh)] = 0;
   const auto default_slot = static_cast<int>(model.materials.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    Mesh mesh = read_mesh(context, model, i, default_slot);
+    Mesh mesh = read_mesh(context, model, variants[i], skins, default_slot);
     if (kept[i] < 0) {
-      context.warn("/meshes/" + std::to_string(i), "no node of the scene places this mesh");
+      context.warn("/meshes/" + std::to_string(variants[i].mesh),
+                   "no node of the scene places this mesh");
       continue;
     }
     kept[i] = mesh.triangles.empty() ? -1 : static_cast<int>(asset.meshes.size());
@@ -86,12 +61,13 @@ void add_default_material(const tinygltf::Model& model, Asset& asset) {
   asset.materials.push_back(material);
 }
 
-Asset assemble(const GltfContext& context, const tinygltf::Model& model,
+Asset assemble(const GltfContext& context, tinygltf::Model& model,
                const std::vector<ImageSource>& images) {
   Asset asset;
   asset.name = context.path.filename().string();
+  const std::vector<MeshVariant> variants = make_variants(context, model);
   asset.parts = place_meshes(context, model);
-  read_meshes(context, model, asset);
+  read_meshes(context, model, variants, asset);
   std::vector<UsedImage> used_images;
   read_materials(context, model, asset, used_images);
   add_default_material(model, asset);
@@ -110,7 +86,9 @@ Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings
   check_gltf(context, document);
   const std::vector<ImageSource> images = take_image_sources(document);
   std::vector<Bytes> buffers = read_buffers(context, document, std::move(container.bin));
-  const tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
+  decode_meshopt(context, document, buffers);
+  decode_draco(context, document, buffers);
+  tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
   Asset asset = assemble(context, model, images);
   asset.files = std::move(files);
   return asset;

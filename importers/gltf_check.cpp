@@ -10,13 +10,12 @@
 namespace restframe {
 namespace {
 
-constexpr std::array supported_extensions = {"KHR_materials_emissive_strength",
-                                             "KHR_materials_ior",
-                                             "KHR_materials_transmission",
-                                             "KHR_materials_unlit",
-                                             "KHR_materials_volume",
-                                             "KHR_mesh_quantization",
-                                             "EXT_mesh_gpu_instancing"};
+constexpr std::array supported_extensions = {
+    "KHR_draco_mesh_compression", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_volume",
+    "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression"};
 
 struct Version {
   int major = 0, minor = 0;
@@ -89,14 +88,8 @@ void check_sections(const Place& document) {
 }
 
 void warn_of_unread(const Place& document) {
-  const GltfContext& context = document.context();
-  for (const char* key : {"animations", "skins"}) {
-    if (count_of(document, key) > 0) {
-      context.warn(std::string("/") + key, "left out: the asset is read in its rest pose");
-    }
-  }
   if (count_of(document, "cameras") > 0)
-    context.warn("/cameras", "the asset's cameras are left out");
+    document.context().warn("/cameras", "the asset's cameras are left out");
 }
 
 }  // namespace
@@ -116,6 +109,7 @@ void check_gltf(const GltfContext& context, const Json& json) {
   check_materials(document);
   check_meshes(document);
   check_nodes(document);
+  check_skins(document);
   check_unread(document);
   warn_of_unread(document);
 }

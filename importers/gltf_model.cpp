@@ -37,7 +37,7 @@ bool hand_over_buffer(Bytes* bytes, std::string*, const std::string& name, void*
 Json reduced(Json&& document, const std::vector<Bytes>& buffers) {
   Json kept;
   for (const char* key : {"asset", "accessors", "bufferViews", "materials", "meshes", "nodes",
-                          "samplers", "scene", "scenes", "textures"}) {
+                          "samplers", "scene", "scenes", "skins", "textures"}) {
     if (document.contains(key)) kept[key] = std::move(document[key]);
   }
   for (std::size_t i = 0; i < buffers.size(); ++i) {
