@@ -174,6 +174,11 @@ std::size_t check_morph_targets(const Place& primitive, const Place& document, b
     check_indices_of(target, document);
     check_counts(target, document, vertices);
     check_semantics(target, document, quantized, target_semantics);
+    for (const auto& [name, value] : target.value().items()) {
+      if (semantic_of(name, target_semantics) == nullptr) continue;
+      if (primitive.value()["attributes"].contains(name)) continue;
+      target.member(name.c_str()).fault("the primitive has no attribute of this name");
+    }
     ++count;
   });
   return count;

@@ -15,7 +15,7 @@ struct CheckedAttributes {
 // The `attributes` of a primitive. `quantized`: KHR_mesh_quantization is in use.
 CheckedAttributes check_attributes(const Place& attributes, const Place& document, bool quantized);
 
-// The `targets` of a primitive; returns how many there are. What its base lacks is not read.
+// The `targets` of a primitive; returns how many there are.
 std::size_t check_morph_targets(const Place& primitive, const Place& document, bool quantized,
                                 std::uint64_t vertices);
 

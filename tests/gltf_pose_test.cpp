@@ -106,6 +106,10 @@ TEST_F(GltfPose, BadTargetsAreFaults) {
   };
   const std::string at = "/meshes/0/primitives/0/targets/1/POSITION: ";
   expect_fault(fault({{"weights", {1}}}), "/meshes/0/weights: has 1 numbers, must have 2");
+  GltfBuilder builder = morphing_triangle();
+  builder.json["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
+  expect_fault(fault_of_bytes(builder.glb()),
+               "/meshes/0/primitives/0/targets/0/NORMAL: the primitive has no attribute");
   expect_fault(target(99), at + "is 99, must be an index below 12");
   expect_fault(target(9), at + "has 2 elements, POSITION 3");
   expect_fault(target(10), at + "has componentType 5121, not normalized, which it can not have");
