@@ -76,13 +76,29 @@ void check_extensions(const Place& document) {
   }
 }
 
+// An extension that `known` does not hold: those that extensionsUsed names are warned of already.
+void warn_of_undeclared(const Place& element, std::set<std::string>& known) {
+  const Place extensions = element.member("extensions");
+  extensions.require_object();
+  for (const auto& [name, value] : extensions.value().items()) {
+    if (is_supported(name) || !known.insert(name).second) continue;
+    element.context().warn(extensions.pointer(), "extension " + quote(name) +
+                                                     ", which extensionsUsed does not name, is "
+                                                     "left out");
+  }
+}
+
 void check_sections(const Place& document) {
+  std::set<std::string> known;
+  if (document.has("extensionsUsed")) {
+    for (const Json& name : document.value()["extensionsUsed"]) known.insert(name);
+  }
   for (const char* key :
        {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials",
         "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
-    for_each_object(document, key, [](const Place& element) {
+    for_each_object(document, key, [&](const Place& element) {
       element.check_string("name");
-      if (element.has("extensions")) element.member("extensions").require_object();
+      if (element.has("extensions")) warn_of_undeclared(element, known);
     });
   }
 }
@@ -108,6 +124,7 @@ void check_gltf(const GltfContext& context, const Json& json) {
   check_accessors(document);
   check_materials(document);
   check_meshes(document);
+  check_uvs(document);
   check_nodes(document);
   check_skins(document);
   check_unread(document);

@@ -83,6 +83,11 @@ std::uint64_t check_meshopt(const Place& view, const Place& extension, const Pla
   if (kind.mode == "TRIANGLES" && count % 3 != 0) {
     extension.member("count").fault("is " + std::to_string(count) + ", must be a multiple of 3");
   }
+  if (view.integer("byteStride", 4, 252, stride) != stride) {
+    extension.member("byteStride")
+        .fault("is " + std::to_string(stride) + ", the view's is " +
+               view.value()["byteStride"].dump());
+  }
   const auto length = view.value()["byteLength"].get<std::uint64_t>();
   if (count * stride != length) {
     extension.fault("gives " + std::to_string(count) + " elements of " + std::to_string(stride) +

@@ -17,12 +17,11 @@ bool has_weight(const std::vector<double>& weights) {
   return false;
 }
 
-MeshVariant variant_of(const tinygltf::Model& model, const tinygltf::Node& node,
-                       const Mat4& asset_from_node) {
+MeshVariant variant_of(const tinygltf::Model& model, const tinygltf::Node& node, bool mirrored) {
   MeshVariant variant;
   variant.mesh = node.mesh;
   variant.skin = node.skin;
-  variant.mirrored = node.skin >= 0 && glm::determinant(Mat3(asset_from_node)) < 0;
+  variant.mirrored = mirrored;
   const auto& own = model.meshes[static_cast<std::size_t>(node.mesh)].weights;
   variant.weights = node.weights.empty() ? own : node.weights;
   if (!has_weight(variant.weights)) variant.weights.clear();
@@ -90,11 +89,13 @@ std::vector<MeshVariant> make_variants(const GltfContext& context, tinygltf::Mod
   std::vector<bool> taken(variants.size(), false);
   bool any_posed = false;
   std::map<Key, int> indices;
-  const std::vector<Mat4> transforms = asset_from_nodes(model);
+  std::vector<Mat4> transforms;
+  if (!model.skins.empty()) transforms = asset_from_nodes(model);
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     tinygltf::Node& node = model.nodes[i];
     if (node.mesh < 0) continue;
-    MeshVariant variant = variant_of(model, node, transforms[i]);
+    const bool mirrored = node.skin >= 0 && glm::determinant(Mat3(transforms[i])) < 0;
+    MeshVariant variant = variant_of(model, node, mirrored);
     any_posed |= is_posed(variant);
     const auto mesh = static_cast<std::size_t>(node.mesh);
     const int free = taken[mesh] ? static_cast<int>(variants.size()) : node.mesh;

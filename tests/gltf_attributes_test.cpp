@@ -180,6 +180,24 @@ TEST_F(GltfAttributes, AsManyUvSetsAsThereAre) {
                at + ": has 4 attributes TEXCOORD_n, but no TEXCOORD_2");
 }
 
+TEST_F(GltfAttributes, MissingUvSetsAreNamed) {
+  GltfBuilder builder = test::one_triangle();
+  builder.json["images"] = {
+      {{"uri", "data:image/png;base64," + test::base64(test::png(1, 1, "\xff\xff\xff\xff"))}}};
+  builder.json["textures"] = {{{"source", 0}}};
+  builder.json["materials"] = {{{"emissiveTexture", {{"index", 0}, {"texCoord", 1}}}}};
+  builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+  load(builder);
+  EXPECT_TRUE(
+      warned("asset.glb:/meshes/0/primitives/0: has no TEXCOORD_1 for its material's "
+             "textures, (0, 0) is used; 1 primitives in all"));
+  json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TEXCOORD_0"] = attributes["TEXCOORD_1"] =
+      builder.add_accessor<float>({0, 0, 0, 0, 0, 0}, "VEC2");
+  load(builder);
+  EXPECT_TRUE(warnings_.empty());
+}
+
 TEST_F(GltfAttributes, TangentsAreKeptWithNormals) {
   const auto make = [](GltfBuilder& b) {
     return b.add_accessor<float>({2, 0, 0, 1, 0, 3, 4, -1, 0, 0, 0, 1}, "VEC4");
@@ -190,73 +208,6 @@ TEST_F(GltfAttributes, TangentsAreKeptWithNormals) {
   EXPECT_TRUE(warned(at + "/TANGENT: 1 tangents have no direction and are left out"));
   builder.json["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
   EXPECT_TRUE(load(builder).meshes.at(0).tangents.empty());
-}
-
-TEST_F(GltfAttributes, WithoutNormalsShadingIsFlat) {
-  GltfBuilder builder;
-  // Two triangles that share an edge, folded a little: smooth under any crease angle.
-  const int positions =
-      builder.add_accessor<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0.1F}, "VEC3");
-  const int indices = builder.add_accessor<std::uint8_t>({0, 1, 2, 2, 1, 3}, "SCALAR");
-  builder.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", indices}});
-  const Mesh mesh = load(builder).meshes.at(0);
-  EXPECT_TRUE(mesh.normals.empty());  // the triangles' own
-  EXPECT_EQ(mesh.positions.size(), 4U);
-}
-
-TEST_F(GltfAttributes, RestartValuesAreFaults) {
-  const auto fault = [](const auto& indices, std::size_t vertices) {
-    GltfBuilder builder;
-    std::vector<float> positions(3 * vertices);
-    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = static_cast<float>(i % 7);
-    const int accessor = builder.add_accessor<float>(positions, "VEC3");
-    builder.add_mesh({{"attributes", {{"POSITION", accessor}}},
-                      {"indices", builder.add_accessor(indices, "SCALAR")},
-                      {"mode", 5}});
-    return fault_of_bytes(builder.glb());
-  };
-  const std::string indices = "/meshes/0/primitives/0/indices: index ";
-  const std::string restart = " is the greatest of its type: glTF has no primitive restart";
-  expect_fault(fault(std::vector<std::uint8_t>{0, 1, 255, 2}, 300), indices + "255" + restart);
-  expect_fault(fault(std::vector<std::uint8_t>{0, 1, 255, 2}, 10), indices + "255 is not below");
-  expect_fault(fault(std::vector<std::uint16_t>{0, 1, 65535, 2}, 65536),
-               indices + "65535" + restart);
-  expect_fault(fault(std::vector<std::uint32_t>{0, 1, 0xFFFFFFFF}, 10),
-               indices + "4294967295 is not below the 10 vertices");
-  EXPECT_EQ(fault(std::vector<std::uint16_t>{0, 1, 255, 2}, 256), "");
-}
-
-TEST_F(GltfAttributes, IncompleteTrianglesAreLeftOut) {
-  for (const int mode : {4, 5, 6}) {
-    GltfBuilder builder = test::one_triangle();
-    builder.json["accessors"][1]["count"] = 2;
-    builder.json["meshes"][0]["primitives"][0]["mode"] = mode;
-    EXPECT_TRUE(load(builder).meshes.empty());
-    EXPECT_TRUE(warned("/meshes/0/primitives/0: 2 corners after the last whole triangle"));
-  }
-}
-
-TEST_F(GltfAttributes, InstancesMayBeQuantizedAndSparse) {
-  GltfBuilder builder = test::one_triangle();
-  builder.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
-  const int values = builder.add_view<float>({7, 8, 9});
-  const int indices = builder.add_view<std::uint16_t>({1});
-  const json sparse = {{"count", 1},
-                       {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
-                       {"values", {{"bufferView", values}}}};
-  const int translation = builder.add(
-      "accessors", {{"componentType", 5126}, {"type", "VEC3"}, {"count", 2}, {"sparse", sparse}});
-  // A quarter turn about z, in fractions of 127: within half a percent.
-  const int rotation =
-      builder.add_accessor<std::int8_t>({0, 0, 0, 127, 0, 0, 90, 90}, "VEC4", true);
-  builder.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
-      {"TRANSLATION", translation}, {"ROTATION", rotation}};
-  const Asset asset = load(builder);
-  ASSERT_EQ(asset.parts.size(), 2U);
-  EXPECT_EQ(asset.parts[0].asset_from_mesh, Mat4(1));
-  const Mat4& turned = asset.parts[1].asset_from_mesh;
-  EXPECT_EQ(Vec3(turned[3]), Vec3(7, 8, 9));
-  EXPECT_LT(glm::distance(Vec3(turned[0]), Vec3(0, 1, 0)), 1e-12);  // normalised: exact
 }
 
 }  // namespace

@@ -126,6 +126,7 @@ TEST_F(GltfMeshopt, TheExtensionIsChecked) {
   expect_fault(with("byteStride", 13), at + "/byteStride: is 13, which ATTRIBUTES");
   expect_fault(with("byteStride", 260), at + "/byteStride: is 260");
   expect_fault(with("byteStride", 8, 2), indices + "/byteStride: is 8, which TRIANGLES");
+  expect_fault(with("byteStride", 16), at + "/byteStride: is 16, the view's is 12");
   expect_fault(with("count", 26), at + ": gives 26 elements of 12 bytes, the view has 300 bytes");
   expect_fault(with("count", 95, 2), indices + "/count: is 95, must be a multiple of 3");
   expect_fault(with("mode", "POINTS"), at + "/mode: is \"POINTS\", must be ATTRIBUTES");

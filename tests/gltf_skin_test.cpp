@@ -1,5 +1,5 @@
-// The rest pose of meshes that could move: morph targets and skins. What is expected is worked out by
-// hand from what the test puts into the file.
+// The rest pose of skinned meshes. What is expected is worked out by hand from what the test puts into
+// the file.
 
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ using nlohmann::json;
 using test::expect_fault;
 using test::fault_of_bytes;
 using test::GltfBuilder;
-using GltfPose = test::GltfReading;
+using GltfSkin = test::GltfReading;
 
 const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
@@ -22,98 +22,6 @@ void expect_near(const Vec3f& value, const Vec3f& expected) {
   EXPECT_LT(glm::distance(value, expected), 1e-6F)
       << value.x << " " << value.y << " " << value.z << ", expected " << expected.x << " "
       << expected.y << " " << expected.z;
-}
-
-// A triangle with normals (+z), tangents (+x) and UVs, and two targets: one lifts the third corner by
-// 2, turns its normal and moves its UV; the other moves the second corner along x, by a sparse
-// accessor.
-GltfBuilder morphing_triangle() {
-  GltfBuilder builder;
-  const int values = builder.add_view<float>({10, 0, 0});
-  const int indices = builder.add_view<std::uint8_t>({1});
-  const json sparse = {{"count", 1},
-                       {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
-                       {"values", {{"bufferView", values}}}};
-  const int along_x = builder.add(
-      "accessors", {{"componentType", 5126}, {"type", "VEC3"}, {"count", 3}, {"sparse", sparse}});
-  const json lift = {
-      {"POSITION", builder.add_accessor<float>({0, 0, 0, 0, 0, 0, 0, 0, 2}, "VEC3")},
-      {"NORMAL", builder.add_accessor<float>({0, 0, 0, 0, 0, 0, 1, 0, 0}, "VEC3")},
-      {"TANGENT", builder.add_accessor<float>({0, 0, 0, 0, 0, 0, -1, 0, -1}, "VEC3")},
-      {"TEXCOORD_0", builder.add_accessor<float>({0, 0, 0, 0, 0.5F, 0.25F}, "VEC2")}};
-  const json attributes = {
-      {"POSITION", builder.add_accessor<float>(triangle, "VEC3")},
-      {"NORMAL", builder.add_accessor<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3")},
-      {"TANGENT", builder.add_accessor<float>({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1}, "VEC4")},
-      {"TEXCOORD_0", builder.add_accessor<float>({0, 0, 1, 0, 0, 1}, "VEC2")}};
-  builder.add_mesh({{"attributes", attributes}, {"targets", {lift, {{"POSITION", along_x}}}}});
-  return builder;
-}
-
-TEST_F(GltfPose, TargetsWithoutWeightsAreNotAdded) {
-  const Mesh mesh = load(morphing_triangle()).meshes.at(0);
-  EXPECT_EQ(mesh.positions, (std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-  ASSERT_EQ(warnings_.size(), 1U);
-  EXPECT_TRUE(warned("asset.glb:/meshes: morph targets of 1 meshes are not moved"));
-}
-
-TEST_F(GltfPose, TargetsAreAddedWithTheMeshsWeights) {
-  GltfBuilder builder = morphing_triangle();
-  builder.json["meshes"][0]["weights"] = {1, 0.5};
-  const Mesh mesh = load(builder).meshes.at(0);
-  EXPECT_EQ(mesh.positions, (std::vector<Vec3f>{{0, 0, 0}, {6, 0, 0}, {0, 1, 2}}));
-  const float half = std::sqrt(0.5F);
-  expect_near(mesh.normals.at(0), {0, 0, 1});
-  expect_near(mesh.normals.at(2), {half, 0, half});
-  EXPECT_EQ(mesh.tangents.at(1), Vec4f(1, 0, 0, 1));
-  EXPECT_EQ(mesh.tangents.at(2), Vec4f(0, 0, -1, -1));
-  EXPECT_EQ(mesh.uvs[0].at(2), Vec2f(0.5F, 1.25F));
-}
-
-TEST_F(GltfPose, NodesHaveWeightsOfTheirOwn) {
-  GltfBuilder builder = morphing_triangle();
-  builder.json["meshes"][0]["weights"] = {1, 0};
-  builder.json["nodes"].push_back({{"mesh", 0}, {"weights", {0, 1}}});
-  builder.json["nodes"].push_back({{"mesh", 0}, {"weights", {1, 0}}});
-  const Asset asset = load(builder);
-  ASSERT_EQ(asset.parts.size(), 3U);
-  ASSERT_EQ(asset.meshes.size(), 2U);  // the first node and the third show the same
-  const auto corners = [&](std::size_t part) {
-    return asset.meshes[static_cast<std::size_t>(asset.parts[part].mesh)].positions;
-  };
-  EXPECT_EQ(corners(0), (std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 2}}));
-  EXPECT_EQ(corners(1), (std::vector<Vec3f>{{0, 0, 0}, {11, 0, 0}, {0, 1, 0}}));
-  EXPECT_EQ(asset.parts[2].mesh, asset.parts[0].mesh);
-}
-
-TEST_F(GltfPose, BadTargetsAreFaults) {
-  const auto fault = [](const json& patch) {
-    GltfBuilder builder = morphing_triangle();
-    const int two = builder.add_accessor<float>({0, 0, 0, 0, 0, 0}, "VEC3");
-    const int bytes = builder.add_accessor<std::uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3");
-    const int nan = builder.add_accessor<float>(
-        {0, 0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0}, "VEC3");
-    EXPECT_EQ(nan, bytes + 1);
-    EXPECT_EQ(bytes, two + 1);
-    builder.json["meshes"][0].merge_patch(patch);
-    return fault_of_bytes(builder.glb());
-  };
-  const auto target = [&](int accessor) {
-    GltfBuilder builder = morphing_triangle();
-    json primitives = builder.json["meshes"][0]["primitives"];
-    primitives[0]["targets"][1]["POSITION"] = accessor;
-    return fault({{"primitives", primitives}, {"weights", {0, 1}}});
-  };
-  const std::string at = "/meshes/0/primitives/0/targets/1/POSITION: ";
-  expect_fault(fault({{"weights", {1}}}), "/meshes/0/weights: has 1 numbers, must have 2");
-  GltfBuilder builder = morphing_triangle();
-  builder.json["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
-  expect_fault(fault_of_bytes(builder.glb()),
-               "/meshes/0/primitives/0/targets/0/NORMAL: the primitive has no attribute");
-  expect_fault(target(99), at + "is 99, must be an index below 12");
-  expect_fault(target(9), at + "has 2 elements, POSITION 3");
-  expect_fault(target(10), at + "has componentType 5121, not normalized, which it can not have");
-  expect_fault(target(11), "/meshes/0/primitives/0/attributes/POSITION: vertex 1 is");
 }
 
 // A triangle whose corners hang on two joints: the first on joint 0, the second on joint 1, the third
@@ -139,7 +47,7 @@ GltfBuilder skinned_triangle(const std::vector<float>& weights = {1, 0, 0, 0, 0,
   return builder;
 }
 
-TEST_F(GltfPose, JointsCarryVerticesWhereverTheNodeIs) {
+TEST_F(GltfSkin, JointsCarryVerticesWhereverTheNodeIs) {
   const Asset asset = load(skinned_triangle());
   ASSERT_EQ(asset.parts.size(), 1U);
   EXPECT_EQ(asset.parts[0].asset_from_mesh, Mat4(1));
@@ -154,7 +62,7 @@ TEST_F(GltfPose, JointsCarryVerticesWhereverTheNodeIs) {
   EXPECT_TRUE(warned("asset.glb:/skins: skins of 1 nodes are not moved"));
 }
 
-TEST_F(GltfPose, InverseBindMatricesComeFirst) {
+TEST_F(GltfSkin, InverseBindMatricesComeFirst) {
   GltfBuilder builder = skinned_triangle();
   // Bound where it stands: joint 1's matrix undoes it, and scales by 2 along the joint's own x.
   const std::vector<float> matrices = {1, 0,  0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,   0,   0,
@@ -169,7 +77,7 @@ TEST_F(GltfPose, InverseBindMatricesComeFirst) {
   expect_near(mesh.normals.at(1), {1, 0, 0});
 }
 
-TEST_F(GltfPose, NormalsStayUprightUnderUnevenScales) {
+TEST_F(GltfSkin, NormalsStayUprightUnderUnevenScales) {
   GltfBuilder builder = skinned_triangle({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
   builder.json["nodes"][1]["scale"] = {2, 1, 1};
   const std::vector<float> slanted = {0.6F, 0.8F, 0, 0.6F, 0.8F, 0, 0.6F, 0.8F, 0};
@@ -179,7 +87,7 @@ TEST_F(GltfPose, NormalsStayUprightUnderUnevenScales) {
   expect_near(load(builder).meshes.at(0).normals.at(0), expected);
 }
 
-TEST_F(GltfPose, AMirroringNodeTurnsItsTrianglesOver) {
+TEST_F(GltfSkin, AMirroringNodeTurnsItsTrianglesOver) {
   GltfBuilder builder = skinned_triangle({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
   // The mesh and its joints are below one node that mirrors, as exporters write it.
   builder.json["nodes"][0].erase("translation");
@@ -194,7 +102,7 @@ TEST_F(GltfPose, AMirroringNodeTurnsItsTrianglesOver) {
   EXPECT_EQ(mesh.tangents[0].w, -1);
 }
 
-TEST_F(GltfPose, WeightsAreMadeToSumToOne) {
+TEST_F(GltfSkin, WeightsAreMadeToSumToOne) {
   const Mesh expected = load(skinned_triangle()).meshes.at(0);
   const std::vector<float> weights = {3, 0, 0, 0, 0, 0.5F, 0, 0, 0.25F, 0.25F, 0, 0};
   const Mesh mesh = load(skinned_triangle(weights)).meshes.at(0);
@@ -202,7 +110,7 @@ TEST_F(GltfPose, WeightsAreMadeToSumToOne) {
   EXPECT_TRUE(warned("/meshes/0/primitives/0/attributes/WEIGHTS_0: the weights of 3 vertices"));
 }
 
-TEST_F(GltfPose, SetsOfJointsAddUp) {
+TEST_F(GltfSkin, SetsOfJointsAddUp) {
   GltfBuilder builder = skinned_triangle({1, 0, 0, 0, 0, 1, 0, 0, 0.5F, 0, 0, 0});
   const Mesh expected = load(skinned_triangle()).meshes.at(0);
   json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
@@ -214,7 +122,7 @@ TEST_F(GltfPose, SetsOfJointsAddUp) {
   EXPECT_LT(glm::distance(third, expected.positions.at(2)), 1e-3F);
 }
 
-TEST_F(GltfPose, OneMeshMayBeSkinnedAndNot) {
+TEST_F(GltfSkin, OneMeshMayBeSkinnedAndNot) {
   GltfBuilder builder = skinned_triangle();
   builder.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 1}}});
   const Asset asset = load(builder);
@@ -231,7 +139,7 @@ std::string fault_after(const std::function<void(GltfBuilder&)>& damage) {
   return fault_of_bytes(builder.glb());
 }
 
-TEST_F(GltfPose, BadSkinsAreFaults) {
+TEST_F(GltfSkin, BadSkinsAreFaults) {
   const auto skin = [](const json& patch) {
     return fault_after([&](GltfBuilder& b) { b.json["skins"][0].merge_patch(patch); });
   };
@@ -263,7 +171,7 @@ TEST_F(GltfPose, BadSkinsAreFaults) {
                "/nodes/0/skin: the node has no mesh");
 }
 
-TEST_F(GltfPose, BadJointsAndWeightsAreFaults) {
+TEST_F(GltfSkin, BadJointsAndWeightsAreFaults) {
   const auto attribute = [](const char* name, const auto& make) {
     return fault_after([&](GltfBuilder& b) {
       b.json["meshes"][0]["primitives"][0]["attributes"][name] = make(b);
@@ -292,19 +200,6 @@ TEST_F(GltfPose, BadJointsAndWeightsAreFaults) {
                  b.json["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
                }),
                "/nodes/0/skin: mesh 0 has a primitive without JOINTS_0 and WEIGHTS_0");
-}
-
-TEST_F(GltfPose, PosesCountAgainstTheLimits) {
-  ImportLimits limits;
-  limits.triangles = 3;
-  GltfBuilder builder = morphing_triangle();
-  for (const double weight : {0.1, 0.2, 0.3}) {
-    builder.json["nodes"].push_back({{"mesh", 0}, {"weights", {weight, 0.0}}});
-  }
-  expect_fault(fault_of_bytes(builder.glb(), limits),
-               "/meshes/0: posed by nodes: more than 3 triangles in all");
-  builder.json["nodes"].erase(3);
-  EXPECT_EQ(fault_of_bytes(builder.glb(), limits), "");
 }
 
 }  // namespace
