@@ -135,7 +135,8 @@ TEST_F(GltfAttributes, ColorsOfEveryKindAreTheSame) {
       const std::vector<Vec4f> colors = load(triangle_with("COLOR_0", make)).meshes.at(0).colors;
       ASSERT_EQ(colors.size(), 3U);
       for (std::size_t i = 0; i < 3; ++i) {
-        const Vec4f expected(Vec3f(rgba[i]), alpha ? rgba[i].w : 1);
+        Vec4f expected = rgba[i];
+        if (!alpha) expected.w = 1;
         EXPECT_LT(glm::distance(colors[i], expected), 1e-6F);
       }
     };
