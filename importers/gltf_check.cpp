@@ -124,7 +124,6 @@ void check_gltf(const GltfContext& context, const Json& json) {
   check_accessors(document);
   check_materials(document);
   check_meshes(document);
-  check_uvs(document);
   check_nodes(document);
   check_skins(document);
   check_unread(document);

@@ -18,7 +18,6 @@ void check_buffers(const Place& document);
 void check_accessors(const Place& document);
 void check_materials(const Place& document);
 void check_meshes(const Place& document);
-void check_uvs(const Place& document);  // of meshes, for materials; both are checked
 void check_nodes(const Place& document);
 void check_skins(const Place& document);
 void check_unread(const Place& document);  // animations: their references

@@ -181,24 +181,6 @@ TEST_F(GltfAttributes, AsManyUvSetsAsThereAre) {
                at + ": has 4 attributes TEXCOORD_n, but no TEXCOORD_2");
 }
 
-TEST_F(GltfAttributes, MissingUvSetsAreNamed) {
-  GltfBuilder builder = test::one_triangle();
-  builder.json["images"] = {
-      {{"uri", "data:image/png;base64," + test::base64(test::png(1, 1, "\xff\xff\xff\xff"))}}};
-  builder.json["textures"] = {{{"source", 0}}};
-  builder.json["materials"] = {{{"emissiveTexture", {{"index", 0}, {"texCoord", 1}}}}};
-  builder.json["meshes"][0]["primitives"][0]["material"] = 0;
-  load(builder);
-  EXPECT_TRUE(
-      warned("asset.glb:/meshes/0/primitives/0: has no TEXCOORD_1 for its material's "
-             "textures, (0, 0) is used; 1 primitives in all"));
-  json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
-  attributes["TEXCOORD_0"] = attributes["TEXCOORD_1"] =
-      builder.add_accessor<float>({0, 0, 0, 0, 0, 0}, "VEC2");
-  load(builder);
-  EXPECT_TRUE(warnings_.empty());
-}
-
 TEST_F(GltfAttributes, TangentsAreKeptWithNormals) {
   const auto make = [](GltfBuilder& b) {
     return b.add_accessor<float>({2, 0, 0, 1, 0, 3, 4, -1, 0, 0, 0, 1}, "VEC4");
