@@ -11,7 +11,7 @@
 #include "importers/gltf_mesh.h"
 #include "importers/gltf_model.h"
 #include "importers/gltf_nodes.h"
-#include "importers/gltf_variants.h"
+#include "importers/gltf_posed.h"
 
 namespace restframe {
 namespace {
@@ -26,15 +26,15 @@ void warn_of_degenerate(const GltfContext& context, const std::vector<Mesh>& mes
 
 // Reads every mesh, so that no fault hides, and keeps those that parts use.
 void read_meshes(const GltfContext& context, const tinygltf::Model& model,
-                 const std::vector<MeshVariant>& variants, Asset& asset) {
-  std::vector<int> kept(variants.size(), -1);
+                 const std::vector<PosedMesh>& poses, Asset& asset) {
+  std::vector<int> kept(poses.size(), -1);
   Skins skins(context, model);
   for (const Part& part : asset.parts) kept[static_cast<std::size_t>(part.mesh)] = 0;
   const auto default_slot = static_cast<int>(model.materials.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    Mesh mesh = read_mesh(context, model, variants[i], skins, default_slot);
+    Mesh mesh = read_mesh(context, model, poses[i], skins, default_slot);
     if (kept[i] < 0) {
-      context.warn("/meshes/" + std::to_string(variants[i].mesh),
+      context.warn("/meshes/" + std::to_string(poses[i].mesh),
                    "no node of the scene places this mesh");
       continue;
     }
@@ -65,9 +65,9 @@ Asset assemble(const GltfContext& context, tinygltf::Model& model,
                const std::vector<ImageSource>& images) {
   Asset asset;
   asset.name = context.path.filename().string();
-  const std::vector<MeshVariant> variants = make_variants(context, model);
+  const std::vector<PosedMesh> poses = pose_meshes(context, model);
   asset.parts = place_meshes(context, model);
-  read_meshes(context, model, variants, asset);
+  read_meshes(context, model, poses, asset);
   std::vector<UsedImage> used_images;
   read_materials(context, model, asset, used_images);
   add_default_material(model, asset);

@@ -22,22 +22,22 @@ void join(Mesh& mesh, Mesh part, int slot) {
 
 }  // namespace
 
-Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, const MeshVariant& variant,
+Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, const PosedMesh& posed,
                Skins& skins, int default_slot) {
-  const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(variant.mesh)];
+  const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(posed.mesh)];
   const std::vector<tinygltf::Primitive>& primitives = source.primitives;
-  const std::string pointer = "/meshes/" + std::to_string(variant.mesh);
+  const std::string pointer = "/meshes/" + std::to_string(posed.mesh);
   std::size_t surfaces = 0;
   for (const tinygltf::Primitive& primitive : primitives) surfaces += is_surface(primitive);
   Mesh mesh;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     if (!is_surface(primitives[i])) continue;
     const PrimitivePlace place{context, pointer + "/primitives/" + std::to_string(i)};
-    Mesh part = read_primitive(place, model, primitives[i], variant, skins, surfaces > 1);
+    Mesh part = read_primitive(place, model, primitives[i], posed, skins, surfaces > 1);
     const int slot = primitives[i].material >= 0 ? primitives[i].material : default_slot;
     if (!part.triangles.empty()) join(mesh, std::move(part), slot);
   }
-  mesh.name = source.name.empty() ? "mesh_" + std::to_string(variant.mesh) : source.name;
+  mesh.name = source.name.empty() ? "mesh_" + std::to_string(posed.mesh) : source.name;
   if (surfaces < primitives.size()) {
     context.warn(pointer, std::to_string(primitives.size() - surfaces) +
                               " primitives of points or lines are not renderable, skipped");

@@ -4,14 +4,14 @@
 
 #include "importers/gltf_context.h"
 #include "importers/gltf_pose.h"
-#include "importers/gltf_variants.h"
+#include "importers/gltf_posed.h"
 
 namespace restframe {
 
-// A variant of a mesh of a checked document, its primitives joined; a primitive's material is its
+// A mesh of a checked document in a pose, its primitives joined; a primitive's material is its
 // slot, and those without one use `default_slot`. Has no triangles if the mesh is only of points and
 // lines.
-Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, const MeshVariant& variant,
+Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, const PosedMesh& posed,
                Skins& skins, int default_slot);
 
 }  // namespace restframe

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "importers/gltf_geometry.h"
-#include "importers/gltf_variants.h"
+#include "importers/gltf_posed.h"
 
 namespace restframe {
 

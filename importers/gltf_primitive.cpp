@@ -107,7 +107,7 @@ Mesh read_attributes(const PrimitivePlace& place, const tinygltf::Model& model,
   return mesh;
 }
 
-// Triangles of a mirrored variant turn their other side to us.
+// Triangles of a mirrored mesh turn their other side to us.
 void turn_over(std::vector<Triangle>& triangles) {
   for (Triangle& triangle : triangles) std::swap(triangle[1], triangle[2]);
 }
@@ -115,20 +115,20 @@ void turn_over(std::vector<Triangle>& triangles) {
 }  // namespace
 
 Mesh read_primitive(const PrimitivePlace& place, const tinygltf::Model& model,
-                    const tinygltf::Primitive& primitive, const MeshVariant& variant, Skins& skins,
+                    const tinygltf::Primitive& primitive, const PosedMesh& posed, Skins& skins,
                     bool shares_vertices) {
   Mesh mesh = read_attributes(place, model, primitive);
-  add_targets(place, model, primitive, variant.weights, mesh);
+  add_targets(place, model, primitive, posed.weights, mesh);
   check_attributes(place, mesh);
   for (Vec4f& color : mesh.colors) color = glm::clamp(color, 0.0F, 1.0F);  // glTF 2.0, 3.7.2.1
   mesh.triangles = read_triangles(place, model, primitive, mesh.positions.size());
   mend_normals(place, mesh);
   mend_tangents(place, mesh);
-  if (variant.skin >= 0) {
-    apply_skin(place, model, primitive, skins.matrices(variant.skin), mesh);
+  if (posed.skin >= 0) {
+    apply_skin(place, model, primitive, skins.matrices(posed.skin), mesh);
   }
   check_positions(place, mesh.positions);
-  if (variant.mirrored) turn_over(mesh.triangles);
+  if (posed.mirrored) turn_over(mesh.triangles);
   if (shares_vertices || 3 * mesh.triangles.size() < mesh.positions.size()) {
     drop_unused_vertices(mesh);
   }

@@ -155,9 +155,9 @@ void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hi
 
 Vec2f uv_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane, int set) {
   const Mesh& mesh = placed(scene, frames, hits, lane).mesh;
-  const auto index = static_cast<std::size_t>(set);
-  if (index >= mesh.uvs.size() || mesh.uvs[index].empty()) return Vec2f(0);
-  const std::vector<Vec2f>& uvs = mesh.uvs[index];
+  if (static_cast<std::size_t>(set) >= mesh.uvs.size()) return Vec2f(0);
+  const std::vector<Vec2f>& uvs = mesh.uvs[static_cast<std::size_t>(set)];
+  if (uvs.empty()) return Vec2f(0);
   const Triangle& t = mesh.triangles[hits.triangle[lane]];
   const float u = hits.bary_u[lane];
   const float v = hits.bary_v[lane];

@@ -1,4 +1,4 @@
-#include "importers/gltf_variants.h"
+#include "importers/gltf_posed.h"
 
 #include <map>
 #include <tuple>
@@ -17,15 +17,15 @@ bool has_weight(const std::vector<double>& weights) {
   return false;
 }
 
-MeshVariant variant_of(const tinygltf::Model& model, const tinygltf::Node& node, bool mirrored) {
-  MeshVariant variant;
-  variant.mesh = node.mesh;
-  variant.skin = node.skin;
-  variant.mirrored = mirrored;
+PosedMesh posed_by(const tinygltf::Model& model, const tinygltf::Node& node, bool mirrored) {
+  PosedMesh posed;
+  posed.mesh = node.mesh;
+  posed.skin = node.skin;
+  posed.mirrored = mirrored;
   const auto& own = model.meshes[static_cast<std::size_t>(node.mesh)].weights;
-  variant.weights = node.weights.empty() ? own : node.weights;
-  if (!has_weight(variant.weights)) variant.weights.clear();
-  return variant;
+  posed.weights = node.weights.empty() ? own : node.weights;
+  if (!has_weight(posed.weights)) posed.weights.clear();
+  return posed;
 }
 
 struct Cost {
@@ -36,11 +36,11 @@ std::size_t accessor_count(const tinygltf::Model& model, int accessor) {
   return model.accessors[static_cast<std::size_t>(accessor)].count;
 }
 
-// What a variant is at most, and the bytes that are read to move its vertices.
-Cost cost_of(const tinygltf::Model& model, const MeshVariant& variant) {
+// What it makes at most, and the bytes that are read to move its vertices.
+Cost cost_of(const tinygltf::Model& model, const PosedMesh& posed) {
   Cost cost;
   for (const tinygltf::Primitive& primitive :
-       model.meshes[static_cast<std::size_t>(variant.mesh)].primitives) {
+       model.meshes[static_cast<std::size_t>(posed.mesh)].primitives) {
     const std::size_t vertices = accessor_count(model, primitive.attributes.at("POSITION"));
     const std::size_t corners =
         primitive.indices >= 0 ? accessor_count(model, primitive.indices) : vertices;
@@ -49,8 +49,8 @@ Cost cost_of(const tinygltf::Model& model, const MeshVariant& variant) {
     cost.triangles += triangles;
     cost.bytes +=
         triangles * sizeof(Triangle) + vertices * attribute_bytes * primitive.attributes.size();
-    for (std::size_t i = 0; i < variant.weights.size(); ++i) {
-      if (variant.weights[i] == 0) continue;
+    for (std::size_t i = 0; i < posed.weights.size(); ++i) {
+      if (posed.weights[i] == 0) continue;
       cost.bytes += vertices * attribute_bytes * primitive.targets[i].size();
     }
   }
@@ -58,14 +58,14 @@ Cost cost_of(const tinygltf::Model& model, const MeshVariant& variant) {
 }
 
 void check_cost(const GltfContext& context, const tinygltf::Model& model,
-                const std::vector<MeshVariant>& variants) {
+                const std::vector<PosedMesh>& poses) {
   Cost total;
-  for (const MeshVariant& variant : variants) {
-    const Cost cost = cost_of(model, variant);
+  for (const PosedMesh& posed : poses) {
+    const Cost cost = cost_of(model, posed);
     total.triangles += cost.triangles;
     total.bytes += cost.bytes;
     const ImportLimits& limits = context.limits;
-    const std::string pointer = "/meshes/" + std::to_string(variant.mesh);
+    const std::string pointer = "/meshes/" + std::to_string(posed.mesh);
     if (total.triangles > limits.triangles) {
       context.fault(pointer, "posed by nodes: more than " + std::to_string(limits.triangles) +
                                  " triangles in all; --max-triangles raises the limit");
@@ -77,16 +77,16 @@ void check_cost(const GltfContext& context, const tinygltf::Model& model,
   }
 }
 
-bool is_posed(const MeshVariant& variant) {
-  return variant.skin >= 0 || !variant.weights.empty();
+bool is_posed(const PosedMesh& posed) {
+  return posed.skin >= 0 || !posed.weights.empty();
 }
 
 }  // namespace
 
-std::vector<MeshVariant> make_variants(const GltfContext& context, tinygltf::Model& model) {
-  std::vector<MeshVariant> variants(model.meshes.size());
-  for (std::size_t i = 0; i < variants.size(); ++i) variants[i].mesh = static_cast<int>(i);
-  std::vector<bool> taken(variants.size(), false);
+std::vector<PosedMesh> pose_meshes(const GltfContext& context, tinygltf::Model& model) {
+  std::vector<PosedMesh> poses(model.meshes.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].mesh = static_cast<int>(i);
+  std::vector<bool> taken(poses.size(), false);
   bool any_posed = false;
   std::map<Key, int> indices;
   std::vector<Mat4> transforms;
@@ -95,20 +95,20 @@ std::vector<MeshVariant> make_variants(const GltfContext& context, tinygltf::Mod
     tinygltf::Node& node = model.nodes[i];
     if (node.mesh < 0) continue;
     const bool mirrored = node.skin >= 0 && glm::determinant(Mat3(transforms[i])) < 0;
-    MeshVariant variant = variant_of(model, node, mirrored);
-    any_posed |= is_posed(variant);
+    PosedMesh posed = posed_by(model, node, mirrored);
+    any_posed |= is_posed(posed);
     const auto mesh = static_cast<std::size_t>(node.mesh);
-    const int free = taken[mesh] ? static_cast<int>(variants.size()) : node.mesh;
-    const auto [found, is_new] = indices.try_emplace(
-        Key{variant.mesh, variant.skin, variant.mirrored, variant.weights}, free);
+    const int free = taken[mesh] ? static_cast<int>(poses.size()) : node.mesh;
+    const auto [found, is_new] =
+        indices.try_emplace(Key{posed.mesh, posed.skin, posed.mirrored, posed.weights}, free);
     node.mesh = found->second;
     if (!is_new) continue;
     taken[mesh] = true;
-    variants.resize(std::max(variants.size(), static_cast<std::size_t>(free) + 1));
-    variants[static_cast<std::size_t>(free)] = std::move(variant);
+    poses.resize(std::max(poses.size(), static_cast<std::size_t>(free) + 1));
+    poses[static_cast<std::size_t>(free)] = std::move(posed);
   }
-  if (any_posed) check_cost(context, model, variants);
-  return variants;
+  if (any_posed) check_cost(context, model, poses);
+  return poses;
 }
 
 }  // namespace restframe
