@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "importers/gltf_buffers.h"
 #include "importers/gltf_check.h"
 #include "importers/gltf_container.h"
 #include "importers/gltf_geometry.h"
@@ -12,6 +13,7 @@
 #include "importers/gltf_mesh.h"
 #include "importers/gltf_model.h"
 #include "importers/gltf_nodes.h"
+#include "importers/gltf_posed.h"
 #include "importers/gltf_take_extras.h"
 
 namespace restframe {
@@ -36,36 +38,6 @@ GltfTreeParts take_tree_parts(const GltfContext& context, Json& document) {
   return parts;
 }
 
-void fit_to_length(const GltfContext& context, const std::string& pointer, Bytes& bytes,
-                   std::size_t length, std::size_t tolerated) {
-  if (bytes.size() < length || bytes.size() > length + tolerated) {
-    context.fault(pointer, "byteLength is " + std::to_string(length) + ", but there are " +
-                               std::to_string(bytes.size()) + " bytes");
-  }
-  bytes.resize(length);
-}
-
-// The bytes of every buffer of the document, exactly as many as it says.
-std::vector<Bytes> read_buffers(const GltfContext& context, Json& document,
-                                std::optional<Bytes> bin) {
-  std::vector<Bytes> buffers;
-  if (!document.contains("buffers")) return buffers;
-  for (Json& buffer : document["buffers"]) {
-    const std::string pointer = "/buffers/" + std::to_string(buffers.size());
-    const auto length = buffer["byteLength"].get<std::size_t>();
-    if (buffer.contains("uri")) {
-      const std::string uri = std::move(buffer["uri"].get_ref<std::string&>());
-      buffers.push_back(read_uri(context, pointer + "/uri", uri, context.limits.total_bytes));
-      fit_to_length(context, pointer, buffers.back(), length, 0);
-    } else {
-      if (!buffers.empty() || !bin) context.fault(pointer, "has neither a uri nor a BIN chunk");
-      buffers.push_back(std::move(*bin));
-      fit_to_length(context, pointer, buffers.back(), length, 3);  // chunks are padded
-    }
-  }
-  return buffers;
-}
-
 void warn_of_degenerate(const GltfContext& context, const std::vector<Mesh>& meshes) {
   std::size_t count = 0;
   for (const Mesh& mesh : meshes) count += count_degenerate(mesh);
@@ -75,14 +47,17 @@ void warn_of_degenerate(const GltfContext& context, const std::vector<Mesh>& mes
 }
 
 // Reads every mesh, so that no fault hides, and keeps those that parts use.
-void read_meshes(const GltfContext& context, const tinygltf::Model& model, Asset& asset) {
-  std::vector<int> kept(model.meshes.size(), -1);
+void read_meshes(const GltfContext& context, const tinygltf::Model& model,
+                 const std::vector<PosedMesh>& poses, Asset& asset) {
+  std::vector<int> kept(poses.size(), -1);
+  Skins skins(context, model);
   for (const Part& part : asset.parts) kept[static_cast<std::size_t>(part.mesh)] = 0;
   const auto default_slot = static_cast<int>(model.materials.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    Mesh mesh = read_mesh(context, model, i, default_slot);
+    Mesh mesh = read_mesh(context, model, poses[i], skins, default_slot);
     if (kept[i] < 0) {
-      context.warn("/meshes/" + std::to_string(i), "no node of a scene places this mesh");
+      context.warn("/meshes/" + std::to_string(poses[i].mesh),
+                   "no node of a scene places this mesh");
       continue;
     }
     kept[i] = mesh.triangles.empty() ? -1 : static_cast<int>(asset.meshes.size());
@@ -132,14 +107,15 @@ void connect_extras(const GltfContext& context, const std::vector<int>& new_inde
                    });
 }
 
-Asset assemble(const GltfContext& context, const tinygltf::Model& model,
+Asset assemble(const GltfContext& context, tinygltf::Model& model,
                const std::vector<ImageSource>& images, GltfTreeParts parts) {
   Asset asset;
   asset.name = context.path.filename().string();
   asset.tree = std::move(parts.tree);
   asset.extensions = std::move(parts.extensions);
+  const std::vector<PosedMesh> poses = pose_meshes(context, model);
   connect_extras(context, place_nodes(context, model, parts.light_indices, asset), asset.tree);
-  read_meshes(context, model, asset);
+  read_meshes(context, model, poses, asset);
   std::vector<UsedImage> used_images;
   read_materials(context, model, asset, used_images);
   add_default_material(model, asset);
@@ -159,7 +135,9 @@ Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings
   const std::vector<ImageSource> images = take_image_sources(document);
   GltfTreeParts tree_parts = take_tree_parts(context, document);
   std::vector<Bytes> buffers = read_buffers(context, document, std::move(container.bin));
-  const tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
+  decode_meshopt(context, document, buffers);
+  decode_draco(context, document, buffers);
+  tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
   Asset asset = assemble(context, model, images, std::move(tree_parts));
   asset.files = std::move(files);
   return asset;

@@ -1,6 +1,7 @@
 #include "importers/gltf_accessor.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -8,6 +9,15 @@
 
 namespace restframe {
 namespace {
+
+// A matrix as it lies in a buffer, column after column.
+struct Sixteen {
+  std::array<float, 16> numbers{};
+
+  explicit Sixteen(float all) { numbers.fill(all); }
+  float& operator[](int i) { return numbers[static_cast<std::size_t>(i)]; }
+  static int length() { return 16; }
+};
 
 // Equal elements somewhere in a buffer.
 struct Run {
@@ -74,8 +84,8 @@ void copy_run(const Run& run, Element* elements) {
 
 template <class Element>
 void copy_elements(const Run& run, Element* elements) {
-  if (run.component_type == component_f32 && run.components == Element::length() &&
-      run.stride == sizeof(Element)) {
+  if (run.component_type == component_f32 &&
+      run.components == static_cast<int>(Element::length()) && run.stride == sizeof(Element)) {
     std::memcpy(static_cast<void*>(elements), run.first, run.count * sizeof(Element));
     return;
   }
@@ -174,6 +184,16 @@ std::vector<Vec3f> read_vec3(const GltfContext& context, const tinygltf::Model& 
 std::vector<Vec4f> read_vec4(const GltfContext& context, const tinygltf::Model& model,
                              int accessor) {
   return read_elements(context, model, accessor, Vec4f(1));
+}
+
+std::vector<Mat4> read_mat4(const GltfContext& context, const tinygltf::Model& model,
+                            int accessor) {
+  std::vector<Mat4> matrices;
+  for (Sixteen& source : read_elements(context, model, accessor, Sixteen(1))) {
+    Mat4& matrix = matrices.emplace_back();
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = source[i];
+  }
+  return matrices;
 }
 
 void read_indices(const GltfContext& context, const tinygltf::Model& model, int index,

@@ -18,6 +18,8 @@ std::vector<Vec3f> read_vec3(const GltfContext& context, const tinygltf::Model& 
                              int accessor);
 std::vector<Vec4f> read_vec4(const GltfContext& context, const tinygltf::Model& model,
                              int accessor);
+// MAT4 of floats only.
+std::vector<Mat4> read_mat4(const GltfContext& context, const tinygltf::Model& model, int accessor);
 
 // Writes as many integers as the accessor has elements.
 void read_indices(const GltfContext& context, const tinygltf::Model& model, int accessor,

@@ -11,10 +11,11 @@ namespace restframe {
 namespace {
 
 constexpr std::array supported_extensions = {
-    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_ior",     "KHR_materials_transmission",
-    "KHR_materials_unlit",   "KHR_materials_volume",
-    "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"};
+    "KHR_lights_punctual",        "KHR_draco_mesh_compression", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_volume",
+    "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression"};
 
 struct Version {
   int major = 0, minor = 0;
@@ -75,23 +76,30 @@ void check_extensions(const Place& document) {
   }
 }
 
-void check_sections(const Place& document) {
-  for (const char* key :
-       {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials",
-        "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
-    for_each_object(document, key, [](const Place& element) {
-      element.check_string("name");
-      if (element.has("extensions")) element.member("extensions").require_object();
-    });
+// An extension that `known` does not hold: those that extensionsUsed names are warned of already.
+void warn_of_undeclared(const Place& element, std::set<std::string>& known) {
+  const Place extensions = element.member("extensions");
+  extensions.require_object();
+  for (const auto& [name, value] : extensions.value().items()) {
+    if (is_supported(name) || !known.insert(name).second) continue;
+    element.context().warn(extensions.pointer(), "extension " + quote(name) +
+                                                     ", which extensionsUsed does not name, is "
+                                                     "left out");
   }
 }
 
-void warn_of_unread(const Place& document) {
-  const GltfContext& context = document.context();
-  for (const char* key : {"animations", "skins"}) {
-    if (count_of(document, key) > 0) {
-      context.warn(std::string("/") + key, "left out: the asset is read in its rest pose");
-    }
+void check_sections(const Place& document) {
+  std::set<std::string> known;
+  if (document.has("extensionsUsed")) {
+    for (const Json& name : document.value()["extensionsUsed"]) known.insert(name);
+  }
+  for (const char* key :
+       {"accessors", "animations", "buffers", "bufferViews", "cameras", "images", "materials",
+        "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
+    for_each_object(document, key, [&](const Place& element) {
+      element.check_string("name");
+      if (element.has("extensions")) warn_of_undeclared(element, known);
+    });
   }
 }
 
@@ -114,8 +122,8 @@ void check_gltf(const GltfContext& context, const Json& json) {
   check_nodes(document);
   check_lights(document);
   check_cameras(document);
+  check_skins(document);
   check_unread(document);
-  warn_of_unread(document);
 }
 
 }  // namespace restframe

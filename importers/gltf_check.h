@@ -21,7 +21,8 @@ void check_meshes(const Place& document);
 void check_nodes(const Place& document);
 void check_lights(const Place& document);
 void check_cameras(const Place& document);
-void check_unread(const Place& document);  // skins and animations: their references
+void check_skins(const Place& document);
+void check_unread(const Place& document);  // animations: their references
 
 // The number of elements of a top-level array.
 std::size_t count_of(const Place& document, const char* key);

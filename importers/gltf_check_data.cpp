@@ -1,6 +1,7 @@
 // Buffers, views and accessors: every range of bytes lies within what holds it.
 
 #include "importers/gltf_check.h"
+#include "importers/gltf_check_compressed.h"
 #include "importers/gltf_layout.h"
 #include "scene/message.h"
 
@@ -14,6 +15,12 @@ void check_buffer(const Place& buffer, const Place& document) {
   buffer.require_member("byteLength");
   buffer.integer("byteLength", 1, document.context().limits.total_bytes, 0);
   buffer.check_string("uri");
+  const Json* meshopt = extension_of(buffer.value(), meshopt_name);
+  if (meshopt == nullptr) return;
+  const Place extensions = buffer.member("extensions");
+  const Place extension = extensions.member(meshopt_name);
+  extension.require_object();
+  extension.check_boolean("fallback");
 }
 
 void check_view(const Place& view, const Place& document) {
@@ -116,6 +123,7 @@ void check_buffers(const Place& document) {
     }
   });
   for_each_object(document, "bufferViews", [&](const Place& view) { check_view(view, document); });
+  check_meshopt_views(document);
 }
 
 void check_accessors(const Place& document) {

@@ -1,23 +1,9 @@
-// Skins and animations are not read; but where they refer to nothing, the file is damaged.
+// Animations are not read; but where they refer to nothing, the file is damaged.
 
 #include "importers/gltf_check.h"
 
 namespace restframe {
 namespace {
-
-void check_skin(const Place& skin, const Place& document) {
-  const std::size_t nodes = count_of(document, "nodes");
-  skin.index("inverseBindMatrices", count_of(document, "accessors"));
-  skin.index("skeleton", nodes);
-  skin.require_member("joints");
-  const Place joints = skin.member("joints");
-  joints.require_array();
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const Place joint = joints.element(i);
-    if (nodes == 0) joint.fault("there are no nodes");
-    joint.as_integer(0, nodes - 1);
-  }
-}
 
 void check_animation(const Place& animation, const Place& document) {
   for_each_object(animation, "samplers", [&](const Place& sampler) {
@@ -33,24 +19,14 @@ void check_animation(const Place& animation, const Place& document) {
   });
 }
 
-void check_morph_targets(const Place& primitive, const Place& document) {
-  for_each_object(primitive, "targets", [&](const Place& target) {
-    for (const auto& [name, value] : target.value().items()) {
-      target.index(name.c_str(), count_of(document, "accessors"));
-    }
-  });
-}
-
 }  // namespace
 
 void check_unread(const Place& document) {
-  for_each_object(document, "skins", [&](const Place& skin) { check_skin(skin, document); });
   for_each_object(document, "animations",
                   [&](const Place& animation) { check_animation(animation, document); });
-  for_each_object(document, "meshes", [&](const Place& mesh) {
-    for_each_object(mesh, "primitives",
-                    [&](const Place& primitive) { check_morph_targets(primitive, document); });
-  });
+  if (count_of(document, "animations") > 0) {
+    document.context().warn("/animations", "left out: the asset is read in its rest pose");
+  }
 }
 
 }  // namespace restframe

@@ -22,7 +22,7 @@ std::size_t first_outside(const std::vector<Element>& elements) {
 }
 
 template <class Element>
-void check_within(const PrimitivePlace& place, const char* attribute,
+void check_within(const PrimitivePlace& place, const std::string& attribute,
                   const std::vector<Element>& elements) {
   const std::size_t i = first_outside(elements);
   if (i == elements.size()) return;
@@ -50,19 +50,22 @@ void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& posi
 }
 
 void check_attributes(const PrimitivePlace& place, const Mesh& mesh) {
-  check_within(place, "TEXCOORD_0", mesh.uvs[0]);
-  check_within(place, "TEXCOORD_1", mesh.uvs[1]);
+  for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
+    check_within(place, "TEXCOORD_" + std::to_string(set), mesh.uvs[set]);
+  }
   check_within(place, "COLOR_0", mesh.colors);
 }
 
-void check_indices(const PrimitivePlace& place, const std::vector<Triangle>& triangles,
-                   std::size_t vertices) {
+void check_indices(const PrimitivePlace& place, const std::uint32_t* indices, std::size_t count,
+                   std::size_t vertices, std::uint32_t restart) {
   std::uint32_t greatest = 0;
-  for (const Triangle& t : triangles) greatest = std::max({greatest, t[0], t[1], t[2]});
-  if (triangles.empty() || greatest < vertices) return;
-  place.context.fault(place.pointer + "/indices", "index " + std::to_string(greatest) +
-                                                      " is not below the " +
-                                                      std::to_string(vertices) + " vertices");
+  for (std::size_t i = 0; i < count; ++i) greatest = std::max(greatest, indices[i]);
+  if (count == 0 || (greatest < vertices && greatest != restart)) return;
+  place.context.fault(
+      place.pointer + "/indices",
+      "index " + std::to_string(greatest) +
+          (greatest < vertices ? " is the greatest of its type: glTF has no primitive restart"
+                               : " is not below the " + std::to_string(vertices) + " vertices"));
 }
 
 void mend_normals(const PrimitivePlace& place, Mesh& mesh) {
@@ -89,6 +92,23 @@ void mend_normals(const PrimitivePlace& place, Mesh& mesh) {
   }
   place.context.warn(place.pointer + "/attributes/NORMAL",
                      std::to_string(bad) + " normals without a direction were recomputed");
+}
+
+void mend_tangents(const PrimitivePlace& place, Mesh& mesh) {
+  std::size_t bad = 0;
+  for (Vec4f& tangent : mesh.tangents) {
+    const Vec3f along(tangent);
+    const float squared = glm::dot(along, along);
+    if (squared > 1e-20F && squared < 1e20F) {
+      tangent = Vec4f(along / std::sqrt(squared), tangent.w < 0 ? -1 : 1);
+    } else {
+      tangent = Vec4f(0);
+      ++bad;
+    }
+  }
+  if (bad == 0) return;
+  place.context.warn(place.pointer + "/attributes/TANGENT",
+                     std::to_string(bad) + " tangents have no direction and are left out");
 }
 
 void drop_unused_vertices(Mesh& mesh) {

@@ -19,13 +19,18 @@ struct PrimitivePlace {
 void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& positions);
 void check_attributes(const PrimitivePlace& place, const Mesh& mesh);
 
-// Fault: an index that is not below the number of vertices.
-void check_indices(const PrimitivePlace& place, const std::vector<Triangle>& triangles,
-                   std::size_t vertices);
+// Fault: an index that is not below the number of vertices, or is `restart`, the greatest of its
+// component type, which elsewhere would begin a new strip.
+void check_indices(const PrimitivePlace& place, const std::uint32_t* indices, std::size_t count,
+                   std::size_t vertices, std::uint32_t restart);
 
 // Normals to unit length. Those that have no direction get that of the triangles around, with a
 // warning.
 void mend_normals(const PrimitivePlace& place, Mesh& mesh);
+
+// Tangents to unit length, and their signs to 1 or -1. Those that have no direction become 0, with a
+// warning.
+void mend_tangents(const PrimitivePlace& place, Mesh& mesh);
 
 // Removes vertices that no triangle uses: primitives often share one long list.
 void drop_unused_vertices(Mesh& mesh);

@@ -37,7 +37,7 @@ bool hand_over_buffer(Bytes* bytes, std::string*, const std::string& name, void*
 Json reduced(Json&& document, const std::vector<Bytes>& buffers) {
   Json kept;
   for (const char* key : {"asset", "accessors", "bufferViews", "materials", "meshes", "nodes",
-                          "samplers", "scene", "scenes", "textures"}) {
+                          "samplers", "scene", "scenes", "skins", "textures"}) {
     if (document.contains(key)) kept[key] = std::move(document[key]);
   }
   for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -62,10 +62,24 @@ std::vector<std::size_t> lend_views(Json& document) {
   return borrowers;
 }
 
+// The same with skins without inverse bind matrices.
+std::vector<std::size_t> lend_matrices(Json& document) {
+  std::vector<std::size_t> borrowers;
+  if (!document.contains("skins")) return borrowers;
+  Json& skins = document["skins"];
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    if (skins[i].contains("inverseBindMatrices")) continue;
+    skins[i]["inverseBindMatrices"] = 0;
+    borrowers.push_back(i);
+  }
+  return borrowers;
+}
+
 }  // namespace
 
 tinygltf::Model parse_model(const GltfContext& context, Json document, std::vector<Bytes> buffers) {
   const std::vector<std::size_t> without_view = lend_views(document);
+  const std::vector<std::size_t> without_matrices = lend_matrices(document);
   const std::string text = reduced(std::move(document), buffers).dump();
   document = nullptr;
   tinygltf::TinyGLTF parser;
@@ -79,6 +93,7 @@ tinygltf::Model parse_model(const GltfContext& context, Json document, std::vect
     context.fault("", "tinygltf can not read it: " + quote(errors));
   }
   for (const std::size_t accessor : without_view) model.accessors[accessor].bufferView = -1;
+  for (const std::size_t skin : without_matrices) model.skins[skin].inverseBindMatrices = -1;
   return model;
 }
 

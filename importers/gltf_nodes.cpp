@@ -2,49 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 
 #include "importers/gltf_accessor.h"
+#include "importers/gltf_node_transform.h"
 
 namespace restframe {
 namespace {
-
-using Quaternion = glm::dquat;
-
-struct Pose {
-  Vec3 translation{0};
-  Quaternion rotation{1, 0, 0, 0};
-  Vec3 scale{1};
-};
-
-Mat4 matrix_of(const Pose& pose) {
-  Mat4 matrix = glm::mat4_cast(glm::normalize(pose.rotation));
-  for (int axis = 0; axis < 3; ++axis) matrix[axis] *= pose.scale[axis];
-  matrix[3] = glm::dvec4(pose.translation, 1);
-  return matrix;
-}
-
-Vec3 vec3_of(const std::vector<double>& v) {
-  return {v[0], v[1], v[2]};
-}
-
-Mat4 parent_from_node(const tinygltf::Node& node) {
-  if (node.matrix.size() == 16) {
-    Mat4 matrix(1);
-    for (int column = 0; column < 4; ++column) {
-      for (int row = 0; row < 3; ++row) {
-        matrix[column][row] = node.matrix[static_cast<std::size_t>(4 * column + row)];
-      }
-    }
-    return matrix;
-  }
-  Pose pose;
-  const std::vector<double>& r = node.rotation;
-  if (node.translation.size() == 3) pose.translation = vec3_of(node.translation);
-  if (r.size() == 4) pose.rotation = Quaternion(r[3], r[0], r[1], r[2]);
-  if (node.scale.size() == 3) pose.scale = vec3_of(node.scale);
-  return matrix_of(pose);
-}
 
 std::vector<int> roots_of_all(const tinygltf::Model& model) {
   std::vector<bool> has_parent(model.nodes.size(), false);
@@ -92,10 +55,10 @@ std::vector<Mat4> read_instances(const GltfContext& context, const tinygltf::Mod
   std::vector<Mat4> matrices(
       model.accessors[static_cast<std::size_t>(accessor(any.c_str()))].count);
   for (std::size_t i = 0; i < matrices.size(); ++i) {
-    Pose pose;
+    NodePlacement pose;
     if (translation >= 0) pose.translation = Vec3(translations[i]);
     if (rotation >= 0) {
-      pose.rotation = Quaternion(rotations[i].w, rotations[i].x, rotations[i].y, rotations[i].z);
+      pose.rotation = glm::dquat(rotations[i].w, rotations[i].x, rotations[i].y, rotations[i].z);
     }
     if (scale >= 0) pose.scale = Vec3(scales[i]);
     matrices[i] = matrix_of(pose);
@@ -174,7 +137,9 @@ class Placing {
   }
 
   void place(const tinygltf::Node& node, int new_index) {
-    const Mat4 asset_from_node = asset_.tree.nodes.back().asset_from_node;
+    // Joints alone place a skinned mesh (glTF 2.0, 3.7.3.3), wherever its node is.
+    const Mat4 asset_from_node =
+        node.skin >= 0 ? Mat4(1) : asset_.tree.nodes.back().asset_from_node;
     if (node.extensions.count(instancing) == 0) {
       add_part(node, new_index, asset_from_node);
       return;

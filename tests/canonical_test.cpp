@@ -206,6 +206,11 @@ TEST(Canonical, ChangesWithMeshes) {
        [](Scene& s) {
          s.meshes[0].uvs[0].assign(3, {0, 1});
        }},
+      {"a third set of uvs",
+       [](Scene& s) {
+         s.meshes[0].uvs.resize(3, {{0, 1}, {0, 1}, {0, 1}});
+       }},
+      {"tangents", [](Scene& s) { s.meshes[0].tangents.assign(3, Vec4f(1)); }},
       {"colours", [](Scene& s) { s.meshes[0].colors.assign(3, Vec4f(1)); }},
       {"slot", [](Scene& s) { s.meshes[0].materials[0].slot = 1; }},
       {"a mesh more", [](Scene& s) { s.meshes.emplace_back(); }},

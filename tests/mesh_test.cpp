@@ -74,6 +74,41 @@ TEST(Mesh, AppendFillsInUvsAndColors) {
   EXPECT_EQ(mesh.colors[4], Vec4f(0.1F));
 }
 
+TEST(Mesh, AppendFillsInFurtherUvSetsAndTangents) {
+  Mesh mesh = square(0), part = square(1);
+  mesh.normals.assign(4, {0, 0, 1});
+  part.normals.assign(4, {0, 0, 1});
+  part.tangents.assign(4, {1, 0, 0, -1});
+  part.uvs.resize(3);
+  part.uvs[2].assign(4, {0.5F, 0.25F});
+  append(mesh, part, 0);
+  append(mesh, square(2), 0);  // has fewer sets
+  ASSERT_EQ(mesh.uvs.size(), 3U);
+  ASSERT_EQ(mesh.uvs[2].size(), mesh.positions.size());
+  EXPECT_EQ(mesh.uvs[2][3], Vec2f(0));
+  EXPECT_EQ(mesh.uvs[2][4], Vec2f(0.5F, 0.25F));
+  ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
+  EXPECT_EQ(mesh.tangents[0], Vec4f(0));
+  EXPECT_EQ(mesh.tangents[7], Vec4f(1, 0, 0, -1));
+  EXPECT_EQ(mesh.tangents.back(), Vec4f(0));
+}
+
+TEST(Mesh, TakingVerticesTakesAllTheirAttributes) {
+  Mesh mesh = square(0);
+  mesh.uvs.resize(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    mesh.uvs[3].emplace_back(static_cast<float>(i), 0.0F);
+    mesh.tangents.emplace_back(static_cast<float>(i), 0.0F, 0.0F, 1.0F);
+  }
+  Mesh taken;
+  take_vertices(mesh, {3, 1}, taken);
+  ASSERT_EQ(taken.uvs.size(), 4U);
+  EXPECT_TRUE(taken.uvs[0].empty());
+  EXPECT_EQ(taken.uvs[3], (std::vector<Vec2f>{{3, 0}, {1, 0}}));
+  EXPECT_EQ(taken.tangents, (std::vector<Vec4f>{{3, 0, 0, 1}, {1, 0, 0, 1}}));
+  EXPECT_EQ(bytes_of(taken), 2 * (sizeof(Vec3f) + sizeof(Vec2f) + sizeof(Vec4f)));
+}
+
 // Every triangle of `mesh` in [first, last) has corners whose normals are +Z.
 void expect_upward(const Mesh& mesh, std::size_t first, std::size_t last) {
   ASSERT_EQ(mesh.normals.size(), mesh.positions.size());

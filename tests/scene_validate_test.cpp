@@ -232,7 +232,15 @@ TEST(Validate, Meshes) {
   one([](Mesh& m) { m.positions[2].x = 1e16F; }, "1e15");
   one([](Mesh& m) { m.triangles[0][2] = 3; }, "triangle 0 refers to a vertex beyond its 3");
   one([](Mesh& m) { m.normals = {{0, 0, 1}}; }, "1 normals for 3 vertices");
-  one([](Mesh& m) { m.uvs[1] = {{0, 0}}; }, "second texture coordinates");
+  one([](Mesh& m) { m.uvs[1] = {{0, 0}}; }, "1 texture coordinates (set 1)");
+  one([](Mesh& m) { m.uvs.resize(3, {{0, 0}}); }, "1 texture coordinates (set 2)");
+  one(
+      [](Mesh& m) {
+        m.normals.resize(3, {0, 0, 1});
+        m.tangents.resize(2);
+      },
+      "2 tangents");
+  one([](Mesh& m) { m.tangents.resize(3); }, "has tangents but no normals");
   one([](Mesh& m) { m.colors.resize(2); }, "2 colours");
   one([](Mesh& m) { m.materials.clear(); }, "no material range");
   one([](Mesh& m) { m.materials = {{0, 0}, {2, 0}, {1, 0}}; }, "out of order");

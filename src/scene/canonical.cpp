@@ -35,8 +35,8 @@ void add_meshes(Listing& list, const std::vector<Mesh>& meshes) {
     digest.add(std::span(mesh.positions));
     digest.add(std::span(mesh.triangles));
     digest.add(std::span(mesh.normals));
-    digest.add(std::span(mesh.uvs[0]));
-    digest.add(std::span(mesh.uvs[1]));
+    digest.add(std::span(mesh.tangents));
+    for (const std::vector<Vec2f>& uvs : mesh.uvs) digest.add(std::span(uvs));
     digest.add(std::span(mesh.colors));
     for (const MaterialRange& range : mesh.materials) {
       digest.add(std::span(&range.first_triangle, 1));

@@ -71,9 +71,14 @@ void append_same_normals(Mesh& mesh, const Mesh& part, int slot) {
   }
   if (!part.triangles.empty()) append_range(mesh, slot);
   append_attribute(mesh.normals, count, part.normals, more, Vec3f(0, 0, 1));
+  append_attribute(mesh.tangents, count, part.tangents, more, Vec4f(0));
   append_attribute(mesh.colors, count, part.colors, more, Vec4f(1));
-  for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
+  mesh.uvs.resize(std::max(mesh.uvs.size(), part.uvs.size()));
+  for (std::size_t set = 0; set < part.uvs.size(); ++set) {
     append_attribute(mesh.uvs[set], count, part.uvs[set], more, Vec2f(0));
+  }
+  for (std::size_t set = part.uvs.size(); set < mesh.uvs.size(); ++set) {
+    append_attribute(mesh.uvs[set], count, {}, more, Vec2f(0));
   }
   mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
   const auto first = static_cast<std::uint32_t>(count);
@@ -90,6 +95,14 @@ Bounds bounds_of(const Mesh& mesh) {
   return bounds;
 }
 
+std::size_t bytes_of(const Mesh& mesh) {
+  const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
+  std::size_t sum = bytes(mesh.positions) + bytes(mesh.triangles) + bytes(mesh.normals) +
+                    bytes(mesh.tangents) + bytes(mesh.colors);
+  for (const std::vector<Vec2f>& uvs : mesh.uvs) sum += bytes(uvs);
+  return sum;
+}
+
 std::size_t count_degenerate(const Mesh& mesh) {
   const auto has_no_area = [&](const Triangle& triangle) {
     // Products of differences of floats: in double none underflows to a false zero.
@@ -104,6 +117,8 @@ std::size_t count_degenerate(const Mesh& mesh) {
 void take_vertices(const Mesh& from, const std::vector<std::uint32_t>& which, Mesh& to) {
   to.positions = picked(from.positions, which);
   to.normals = picked(from.normals, which);
+  to.tangents = picked(from.tangents, which);
+  to.uvs.resize(from.uvs.size());
   for (std::size_t set = 0; set < to.uvs.size(); ++set) to.uvs[set] = picked(from.uvs[set], which);
   to.colors = picked(from.colors, which);
 }

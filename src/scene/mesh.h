@@ -25,7 +25,11 @@ struct Mesh {
   std::vector<Vec3f> positions;  // capacity of one more than size: Embree reads 16 bytes a vertex
   std::vector<Triangle> triangles;
   std::vector<Vec3f> normals;  // unit length; empty: the triangles' own
-  std::array<std::vector<Vec2f>, 2> uvs;
+  // Along +U of the first UV set, unit length; w is 1 where +V runs along cross(normal, tangent), -1
+  // where against. 0 where a part of the mesh has none. Only with normals.
+  std::vector<Vec4f> tangents;
+  // As many sets as the file gives, any of them empty; the first two are always there.
+  std::vector<std::vector<Vec2f>> uvs = std::vector<std::vector<Vec2f>>(2);
   std::vector<Vec4f> colors;             // linear RGBA, multiplied with the base colour
   std::vector<MaterialRange> materials;  // at least one; sorted, the first at triangle 0
 };
@@ -47,6 +51,9 @@ struct Bounds {
 
 Bounds bounds_of(const Mesh& mesh);
 
+// What its vertices and triangles take.
+std::size_t bytes_of(const Mesh& mesh);
+
 // Triangles without area.
 std::size_t count_degenerate(const Mesh& mesh);
 
@@ -65,7 +72,8 @@ inline int material_slot(const Mesh& mesh, std::uint32_t triangle) {
 }
 
 // Appends `part` to `mesh`, its triangles using `slot`. Attributes that one of the two lacks are
-// filled in: UVs with 0, colours with white, normals with those of the triangles' corners.
+// filled in: UVs and tangents with 0, colours with white, normals with those of the triangles'
+// corners.
 void append(Mesh& mesh, const Mesh& part, int slot);
 
 // Makes room for Embree's reads past the last vertex. Whoever builds a mesh calls it at the end.

@@ -15,7 +15,7 @@ bool is_usable(const Vec3f& position) {
 }
 
 template <class T>
-void check_attribute(const Mesh& mesh, const std::vector<T>& values, const char* what,
+void check_attribute(const Mesh& mesh, const std::vector<T>& values, const std::string& what,
                      Faults& faults) {
   if (values.empty() || values.size() == mesh.positions.size()) return;
   faults.push_back(fmt::format("mesh \"{}\" has {} {} for {} vertices", mesh.name, values.size(),
@@ -94,8 +94,13 @@ void validate_mesh(const Mesh& mesh, Faults& faults) {
                                  outside - mesh.triangles.begin(), mesh.positions.size()));
   }
   check_attribute(mesh, mesh.normals, "normals", faults);
-  check_attribute(mesh, mesh.uvs[0], "texture coordinates", faults);
-  check_attribute(mesh, mesh.uvs[1], "second texture coordinates", faults);
+  check_attribute(mesh, mesh.tangents, "tangents", faults);
+  if (!mesh.tangents.empty() && mesh.normals.empty()) {
+    faults.push_back(name + " has tangents but no normals");
+  }
+  for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
+    check_attribute(mesh, mesh.uvs[set], fmt::format("texture coordinates (set {})", set), faults);
+  }
   check_attribute(mesh, mesh.colors, "colours", faults);
   check_ranges(mesh, faults);
 }

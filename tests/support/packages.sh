@@ -6,7 +6,7 @@ packages_build=(
   g++ cmake ninja-build pkg-config
   libembree-dev libtinygltf-dev libtinyobjloader-dev libopenmesh-dev libopenexr-dev libglm-dev libtbb-dev
   libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev libmuparser-dev libstb-dev nlohmann-json3-dev
-  libxxhash-dev
+  libxxhash-dev libdraco-dev libmeshoptimizer-dev
 )
 packages_test=(libgtest-dev libgmock-dev assimp-testmodels)
 packages_bench=(libbenchmark-dev)

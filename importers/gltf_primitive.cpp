@@ -1,0 +1,138 @@
+#include "importers/gltf_primitive.h"
+
+#include <limits>
+
+#include "importers/gltf_accessor.h"
+#include "importers/gltf_layout.h"
+
+namespace restframe {
+namespace {
+
+// The accessor of an attribute, or -1.
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+  const auto found = primitive.attributes.find(name);
+  return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+// The value that glTF keeps from indices of this type: all bits set.
+std::uint32_t restart_value(int component_type) {
+  switch (component_type) {
+    case component_u8:
+      return std::numeric_limits<std::uint8_t>::max();
+    case component_u16:
+      return std::numeric_limits<std::uint16_t>::max();
+    default:
+      return std::numeric_limits<std::uint32_t>::max();
+  }
+}
+
+// The vertices of a primitive's corners, in its order; `corners` has room for all.
+void read_corners(const PrimitivePlace& place, const tinygltf::Model& model, int accessor,
+                  std::size_t count, std::size_t vertices, std::uint32_t* corners) {
+  if (accessor < 0) {
+    for (std::size_t i = 0; i < count; ++i) corners[i] = static_cast<std::uint32_t>(i);
+    return;
+  }
+  read_indices(place.context, model, accessor, corners);
+  const int type = model.accessors[static_cast<std::size_t>(accessor)].componentType;
+  check_indices(place, corners, count, vertices, restart_value(type));
+}
+
+void warn_of_rest(const PrimitivePlace& place, std::size_t corners) {
+  place.context.warn(place.pointer, std::to_string(corners) +
+                                        " corners after the last whole triangle are left out");
+}
+
+// Strips and fans; the triangles without area that join the pieces of strips are left out.
+std::vector<Triangle> unroll(const std::vector<std::uint32_t>& corners, bool fan) {
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const std::size_t odd = i % 2;
+    const Triangle triangle =
+        fan ? Triangle{corners[0], corners[i - 1], corners[i]}
+            : Triangle{corners[i - 2 + odd], corners[i - 1 - odd], corners[i]};
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
+      continue;
+    }
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+std::vector<Triangle> read_triangles(const PrimitivePlace& place, const tinygltf::Model& model,
+                                     const tinygltf::Primitive& primitive, std::size_t vertices) {
+  const int accessor = primitive.indices;
+  const std::size_t corners =
+      accessor >= 0 ? model.accessors[static_cast<std::size_t>(accessor)].count : vertices;
+  if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
+    // Three corners a triangle, straight into the mesh.
+    std::vector<Triangle> triangles((corners + 2) / 3);
+    read_corners(place, model, accessor, corners, vertices, triangles.data()->data());
+    triangles.resize(corners / 3);
+    if (corners % 3 != 0) warn_of_rest(place, corners % 3);
+    return triangles;
+  }
+  if (corners < 3) warn_of_rest(place, corners);
+  std::vector<std::uint32_t> strip(corners);
+  read_corners(place, model, accessor, corners, vertices, strip.data());
+  return unroll(strip, primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN);
+}
+
+std::vector<Vec4f> read_colors(const PrimitivePlace& place, const tinygltf::Model& model,
+                               int accessor) {
+  std::vector<Vec4f> colors = read_vec4(place.context, model, accessor);
+  if (model.accessors[static_cast<std::size_t>(accessor)].type == TINYGLTF_TYPE_VEC3) {
+    for (Vec4f& color : colors) color.w = 1;
+  }
+  return colors;
+}
+
+// Tangents without normals mean nothing, and are left out.
+Mesh read_attributes(const PrimitivePlace& place, const tinygltf::Model& model,
+                     const tinygltf::Primitive& primitive) {
+  Mesh mesh;
+  mesh.positions = read_vec3(place.context, model, attribute(primitive, "POSITION"));
+  check_positions(place, mesh.positions);
+  const int normals = attribute(primitive, "NORMAL"), tangents = attribute(primitive, "TANGENT"),
+            colors = attribute(primitive, "COLOR_0");
+  if (normals >= 0) mesh.normals = read_vec3(place.context, model, normals);
+  if (normals >= 0 && tangents >= 0) mesh.tangents = read_vec4(place.context, model, tangents);
+  for (std::size_t set = 0;; ++set) {
+    const int uvs = attribute(primitive, "TEXCOORD_" + std::to_string(set));
+    if (uvs < 0) break;
+    if (set >= mesh.uvs.size()) mesh.uvs.emplace_back();
+    mesh.uvs[set] = read_vec2(place.context, model, uvs);
+  }
+  if (colors >= 0) mesh.colors = read_colors(place, model, colors);
+  return mesh;
+}
+
+// Triangles of a mirrored mesh turn their other side to us.
+void turn_over(std::vector<Triangle>& triangles) {
+  for (Triangle& triangle : triangles) std::swap(triangle[1], triangle[2]);
+}
+
+}  // namespace
+
+Mesh read_primitive(const PrimitivePlace& place, const tinygltf::Model& model,
+                    const tinygltf::Primitive& primitive, const PosedMesh& posed, Skins& skins,
+                    bool shares_vertices) {
+  Mesh mesh = read_attributes(place, model, primitive);
+  add_targets(place, model, primitive, posed.weights, mesh);
+  check_attributes(place, mesh);
+  for (Vec4f& color : mesh.colors) color = glm::clamp(color, 0.0F, 1.0F);  // glTF 2.0, 3.7.2.1
+  mesh.triangles = read_triangles(place, model, primitive, mesh.positions.size());
+  mend_normals(place, mesh);
+  mend_tangents(place, mesh);
+  if (posed.skin >= 0) {
+    apply_skin(place, model, primitive, skins.matrices(posed.skin), mesh);
+  }
+  check_positions(place, mesh.positions);
+  if (posed.mirrored) turn_over(mesh.triangles);
+  if (shares_vertices || 3 * mesh.triangles.size() < mesh.positions.size()) {
+    drop_unused_vertices(mesh);
+  }
+  return mesh;
+}
+
+}  // namespace restframe
