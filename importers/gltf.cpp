@@ -10,6 +10,7 @@
 #include "importers/gltf_mesh.h"
 #include "importers/gltf_model.h"
 #include "importers/gltf_nodes.h"
+#include "importers/gltf_variants.h"
 
 namespace restframe {
 namespace {
@@ -53,12 +54,12 @@ void warn_of_degenerate(const GltfContext& context, const std::vector<Mesh>& mes
 }
 
 // Reads every mesh, so that no fault hides, and keeps those that parts use.
-void read_meshes(const GltfContext& context, const tinygltf::Model& model, Asset& asset) {
+void read_meshes(const GltfContext& context, const tinygltf::Model& model, SlotTable& slots,
+                 Asset& asset) {
   std::vector<int> kept(model.meshes.size(), -1);
   for (const Part& part : asset.parts) kept[static_cast<std::size_t>(part.mesh)] = 0;
-  const auto default_slot = static_cast<int>(model.materials.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    Mesh mesh = read_mesh(context, model, i, default_slot);
+    Mesh mesh = read_mesh(context, model, i, slots.slots_of(model.meshes[i]));
     if (kept[i] < 0) {
       context.warn("/meshes/" + std::to_string(i), "no node of the scene places this mesh");
       continue;
@@ -74,16 +75,31 @@ void read_meshes(const GltfContext& context, const tinygltf::Model& model, Asset
   if (asset.parts.empty()) context.warn("", "has no triangles to render");
 }
 
+// The slot after the model's materials is that of primitives without one. Where there are none, the
+// slots beyond move up.
 void add_default_material(const tinygltf::Model& model, Asset& asset) {
   const auto slot = static_cast<int>(model.materials.size());
   bool needed = asset.materials.empty();
+  for (const VariantSlot& by_variant : asset.variant_slots) needed |= by_variant.material == slot;
   for (const Mesh& mesh : asset.meshes) {
     for (const MaterialRange& range : mesh.materials) needed |= range.slot == slot;
   }
-  if (!needed) return;
-  Material material;
-  material.name = "default";
-  asset.materials.push_back(material);
+  if (needed) {
+    asset.materials.emplace_back().name = "default";
+    return;
+  }
+  for (Mesh& mesh : asset.meshes) {
+    for (MaterialRange& range : mesh.materials) range.slot -= range.slot > slot ? 1 : 0;
+  }
+}
+
+void read_surfaces(const GltfContext& context, const tinygltf::Model& model,
+                   const std::vector<ImageSource>& images, Asset& asset) {
+  std::vector<UsedImage> used_images;
+  read_materials(context, model, asset, used_images);
+  check_uv_sets(context, model, asset);
+  add_default_material(model, asset);
+  read_images(context, model, images, used_images, asset);
 }
 
 Asset assemble(const GltfContext& context, const tinygltf::Model& model,
@@ -91,11 +107,10 @@ Asset assemble(const GltfContext& context, const tinygltf::Model& model,
   Asset asset;
   asset.name = context.path.filename().string();
   asset.parts = place_meshes(context, model);
-  read_meshes(context, model, asset);
-  std::vector<UsedImage> used_images;
-  read_materials(context, model, asset, used_images);
-  add_default_material(model, asset);
-  asset.images = read_images(context, model, images, used_images);
+  SlotTable slots(static_cast<int>(model.materials.size()));
+  read_meshes(context, model, slots, asset);
+  asset.variant_slots = slots.take();
+  read_surfaces(context, model, images, asset);
   return asset;
 }
 
@@ -109,9 +124,11 @@ Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings
   container.json = {};
   check_gltf(context, document);
   const std::vector<ImageSource> images = take_image_sources(document);
+  std::vector<std::string> variants = variant_names(document);
   std::vector<Bytes> buffers = read_buffers(context, document, std::move(container.bin));
   const tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
   Asset asset = assemble(context, model, images);
+  asset.variants = std::move(variants);
   asset.files = std::move(files);
   return asset;
 }

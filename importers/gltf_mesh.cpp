@@ -103,7 +103,7 @@ Mesh read_primitive(const PrimitivePlace& place, const tinygltf::Model& model,
 }  // namespace
 
 Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, std::size_t index,
-               int default_slot) {
+               const std::vector<int>& slots) {
   const std::vector<tinygltf::Primitive>& primitives = model.meshes[index].primitives;
   const std::string pointer = "/meshes/" + std::to_string(index);
   std::size_t surfaces = 0;
@@ -120,7 +120,7 @@ Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, std::si
     Mesh part = read_primitive(place, model, primitives[i], surfaces > 1);
     if (part.triangles.empty()) continue;
     if (any_normals && part.normals.empty()) add_normals(part);
-    const int slot = primitives[i].material >= 0 ? primitives[i].material : default_slot;
+    const int slot = slots[i];
     if (first) {
       mesh = std::move(part);
       mesh.materials = {{0, slot}};

@@ -1,6 +1,9 @@
 #include "importers/material_change.h"
 
+#include "scene/material_properties.h"
+
 namespace restframe {
+
 void set(const std::optional<Property>& given, TemporalNumber& number) {
   if (!given) return;
   if (const auto* constant = std::get_if<TemporalValue>(&*given)) number = {constant->x};
@@ -34,20 +37,16 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 void apply(const MaterialChange& change, Material& material) {
-  set(change.base_color, material.base_color);
-  set(change.metallic, material.metallic);
-  set(change.roughness, material.roughness);
-  set(change.emission, material.emission);
-  set(change.emission_strength, material.emission_strength);
-  set(change.opacity, material.opacity);
-  set(change.ior, material.ior);
-  set(change.transmission, material.transmission);
-  set(change.attenuation_color, material.attenuation_color);
-  set(change.attenuation_distance, material.attenuation_distance);
+  const auto given = [&](const char* name) {
+    const auto found = change.properties.find(name);
+    return found == change.properties.end() ? std::nullopt : std::optional(found->second);
+  };
+  for (const NumberProperty& p : number_properties) set(given(p.name), material.*p.member);
+  for (const ColorProperty& p : color_properties) set(given(p.name), material.*p.member);
   if (change.base_color_texture == false) material.base_color_texture = {};
   if (change.unlit) material.unlit = *change.unlit;
   const bool see_through = material.opacity.function != no_function || material.opacity.value < 1;
-  if (change.opacity && see_through && material.alpha_mode == AlphaMode::opaque) {
+  if (given("opacity") && see_through && material.alpha_mode == AlphaMode::opaque) {
     material.alpha_mode = AlphaMode::blend;
   }
 }

@@ -10,6 +10,7 @@
 #include "importers/refraction_check.h"
 #include "importers/toml_text.h"
 #include "scene/file_names.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -45,8 +46,17 @@ Scene load_scene_file(const Path& path, const ImportLimits& limits, Warnings& wa
   return std::move(file.scene);
 }
 
+int find_variant_of(const SceneAsset& asset, const std::string& name, const Path& path) {
+  try {
+    return find_variant(asset, name);
+  } catch (const InputError& error) {
+    throw InputError(path.string() + ": " + error.what());
+  }
+}
+
 // The asset as one object at rest at the world's origin.
-Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
+Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings,
+                       const std::optional<std::string>& variant_name) {
   Scene scene;
   Asset read = load_asset(path, limits, warnings);
   add_asset_sources(scene, path.filename().string(), path, read);
@@ -54,10 +64,11 @@ Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& w
   Object object;
   object.name = path.stem().string();
   object.parts = std::move(asset.parts);
-  scene.materials = std::move(asset.materials);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    object.materials.push_back(static_cast<int>(i));
+  const int variant = variant_name ? find_variant_of(asset, *variant_name, path) : no_variant;
+  for (int slot = 0; slot < slot_count(asset); ++slot) {
+    object.materials.push_back(material_of_slot(asset, slot, variant));
   }
+  scene.materials = std::move(asset.materials);
   scene.objects.push_back(std::move(object));
   std::string stem = path.stem().string();
   std::replace(stem.begin(), stem.end(), '#', '_');
@@ -85,10 +96,16 @@ void add_asset_sources(Scene& scene, const std::string& name, const Path& path,
   }
 }
 
-Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
-  const bool is_scene_file = lower_extension(path) == ".toml";
-  return is_scene_file ? load_scene_file(path, limits, warnings)
-                       : load_asset_scene(path, limits, warnings);
+Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings,
+                 const std::optional<std::string>& variant) {
+  if (lower_extension(path) != ".toml") return load_asset_scene(path, limits, warnings, variant);
+  if (variant) {
+    throw InputError(
+        fmt::format("{}: variant {} goes with an asset; in a scene file, write it as "
+                    "`variant` in [[object]]",
+                    path.string(), quote(*variant)));
+  }
+  return load_scene_file(path, limits, warnings);
 }
 
 }  // namespace restframe

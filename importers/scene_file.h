@@ -25,7 +25,8 @@ struct MaterialReference {
 
 // Where an object takes its materials from.
 struct ObjectMaterials {
-  int asset = -1;  // index into SceneFile::assets; -1: it could not be read
+  int asset = -1;            // index into SceneFile::assets; -1: it could not be read
+  int variant = no_variant;  // of that asset
   std::optional<MaterialReference> all_slots;
   std::map<int, MaterialReference> slots;
 };
@@ -57,10 +58,9 @@ using Property = std::variant<TemporalValue, FunctionIndex>;
 // What one [[material]] says.
 struct MaterialChange {
   TextPosition at;
-  std::string name;                         // exact, or a pattern in which * stands for anything
-  std::optional<MaterialReference> object;  // only there
-  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity,
-      ior, transmission, attenuation_color, attenuation_distance;
+  std::string name;                            // exact, or a pattern in which * stands for anything
+  std::optional<MaterialReference> object;     // only there
+  std::map<std::string, Property> properties;  // by their keys
   std::optional<bool> base_color_texture, unlit;
 };
 

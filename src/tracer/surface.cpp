@@ -155,6 +155,7 @@ void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hi
 
 Vec2f uv_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane, int set) {
   const Mesh& mesh = placed(scene, frames, hits, lane).mesh;
+  if (static_cast<std::size_t>(set) >= mesh.uvs.size()) return Vec2f(0);
   const std::vector<Vec2f>& uvs = mesh.uvs[static_cast<std::size_t>(set)];
   if (uvs.empty()) return Vec2f(0);
   const Triangle& t = mesh.triangles[hits.triangle[lane]];
