@@ -90,8 +90,10 @@ std::size_t count_image_pixels(ByteSpan bytes, const std::string& what,
 Image decode_image(ByteSpan bytes, const std::string& what, const ImportLimits& limits) {
   const Size size = size_of(bytes, what, limits);
   const bool is_jpeg = bytes[0] == 0xFF;
-  const std::string fault = is_jpeg ? jpeg_fault(bytes) : "";
-  if (!fault.empty()) throw InputError(what + ": image is a JPEG " + fault);
+  const std::string fault = is_jpeg ? jpeg_fault(bytes) : png_fault(bytes);
+  if (!fault.empty()) {
+    throw InputError(what + (is_jpeg ? ": image is a JPEG " : ": image is a PNG ") + fault);
+  }
   // 16 bits a channel, a filter byte a row, and buffers that double as they grow.
   const std::size_t pixels = size.pixels();
   largest_allocation =

@@ -1,8 +1,12 @@
 #include "importers/image_format.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
+
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -37,6 +41,27 @@ bool has(ByteSpan bytes, const Signature& signature) {
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
+std::uint32_t big_endian(ByteSpan bytes) {
+  return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
+         std::uint32_t{bytes[2]} << 8 | bytes[3];
+}
+
+// PNG's checksum (ISO/IEC 15948, annex D): the remainder modulo a polynomial, a byte at a time.
+std::uint32_t crc32(ByteSpan bytes) {
+  static const std::array<std::uint32_t, 256> remainders = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
+      std::uint32_t rest = byte;
+      for (int bit = 0; bit < 8; ++bit) rest = rest >> 1 ^ ((rest & 1) != 0 ? 0xEDB88320U : 0U);
+      table[byte] = rest;
+    }
+    return table;
+  }();
+  std::uint32_t rest = 0xFFFFFFFF;
+  for (const std::uint8_t byte : bytes) rest = rest >> 8 ^ remainders[(rest ^ byte) & 0xFF];
+  return ~rest;
+}
+
 // Markers of ITU-T T.81, table B.1.
 constexpr std::uint8_t start_of_scan = 0xDA, end_of_image = 0xD9, adobe_segment = 0xEE;
 
@@ -63,6 +88,25 @@ const char* image_kind(ByteSpan bytes) {
     if (has(bytes, signature)) return signature.kind;
   }
   return nullptr;
+}
+
+std::string png_fault(ByteSpan bytes) {
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+  if (!bytes.empty()) return "";
+#endif
+  constexpr std::size_t signature = 8, frame = 12;  // a chunk's length, name and checksum
+  for (std::size_t at = signature; at + frame <= bytes.size();) {
+    const std::size_t length = big_endian(bytes.subspan(at));
+    if (length > bytes.size() - at - frame) break;  // the decoder will say that it is cut off
+    const ByteSpan content = bytes.subspan(at + 4, 4 + length);
+    const bool matters = (content[0] & 0x20) == 0;  // its name begins with a capital
+    if (matters && crc32(content) != big_endian(bytes.subspan(at + 8 + length))) {
+      return fmt::format("damaged: the checksum of its {} chunk is wrong",
+                         quote(std::string(content.begin(), content.begin() + 4)));
+    }
+    at += frame + length;
+  }
+  return "";
 }
 
 std::string jpeg_fault(ByteSpan bytes) {

@@ -1,7 +1,5 @@
 #include "importers/material_change.h"
 
-#include "scene/material_properties.h"
-
 namespace restframe {
 
 void set(const std::optional<Property>& given, TemporalNumber& number) {
@@ -37,16 +35,16 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 void apply(const MaterialChange& change, Material& material) {
-  const auto given = [&](const char* name) {
-    const auto found = change.properties.find(name);
-    return found == change.properties.end() ? std::nullopt : std::optional(found->second);
-  };
-  for (const NumberProperty& p : number_properties) set(given(p.name), material.*p.member);
-  for (const ColorProperty& p : color_properties) set(given(p.name), material.*p.member);
+  bool opacity_given = false;
+  for (const auto& [member, property] : change.numbers) {
+    set(property, material.*member);
+    opacity_given |= member == &Material::opacity;
+  }
+  for (const auto& [member, property] : change.colors) set(property, material.*member);
   if (change.base_color_texture == false) material.base_color_texture = {};
   if (change.unlit) material.unlit = *change.unlit;
   const bool see_through = material.opacity.function != no_function || material.opacity.value < 1;
-  if (given("opacity") && see_through && material.alpha_mode == AlphaMode::opaque) {
+  if (opacity_given && see_through && material.alpha_mode == AlphaMode::opaque) {
     material.alpha_mode = AlphaMode::blend;
   }
 }

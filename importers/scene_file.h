@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -58,9 +59,10 @@ using Property = std::variant<TemporalValue, FunctionIndex>;
 // What one [[material]] says.
 struct MaterialChange {
   TextPosition at;
-  std::string name;                            // exact, or a pattern in which * stands for anything
-  std::optional<MaterialReference> object;     // only there
-  std::map<std::string, Property> properties;  // by their keys
+  std::string name;                         // exact, or a pattern in which * stands for anything
+  std::optional<MaterialReference> object;  // only there
+  std::vector<std::pair<TemporalNumber Material::*, Property>> numbers;
+  std::vector<std::pair<TemporalColor Material::*, Property>> colors;
   std::optional<bool> base_color_texture, unlit;
 };
 

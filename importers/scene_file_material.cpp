@@ -22,13 +22,14 @@ Range range_of(float low, float high) {
 }
 
 void read_properties(TableReader& material, MaterialChange& change, SceneFile& file) {
-  const auto read = [&](const char* name, const ValueRule& rule) {
-    if (auto property = read_property(material, name, rule, file)) {
-      change.properties.emplace(name, *property);
-    }
-  };
-  for (const ColorProperty& p : color_properties) read(p.name, {true, range_of(0, p.high)});
-  for (const NumberProperty& p : number_properties) read(p.name, {false, range_of(p.low, p.high)});
+  for (const ColorProperty& p : color_properties) {
+    const auto property = read_property(material, p.name, {true, range_of(0, p.high)}, file);
+    if (property) change.colors.emplace_back(p.member, *property);
+  }
+  for (const NumberProperty& p : number_properties) {
+    const auto property = read_property(material, p.name, {false, range_of(p.low, p.high)}, file);
+    if (property) change.numbers.emplace_back(p.member, *property);
+  }
   change.base_color_texture = material.boolean("base_color_texture");
   change.unlit = material.boolean("unlit");
 }

@@ -99,7 +99,7 @@ TEST_F(GltfImages, AllTogetherHaveALimit) {
 TEST_F(GltfImages, AreWhatTheirBytesSay) {
   GltfBuilder builder = with_images({test::flat_jpeg({9}), gray_image(1, 8)});
   EXPECT_EQ(load(builder).images.at(0).rgba.at(0), 9);
-  ASSERT_EQ(warnings_.size(), 3U);
+  ASSERT_EQ(warnings_.size(), 1U);
   EXPECT_TRUE(
       warned(":/images/0/mimeType: is \"image/png\", but the image is JPEG and read as that"));
   folder_.write("picture.jpg", gray_image(1, 7));

@@ -124,7 +124,7 @@ TEST(BadMaterialExtensions, AreNamed) {
   const std::vector<BadValue> bad = {
       {"emissive_strength",
        {{"emissiveStrength", -1}},
-       "/emissiveStrength: is -1, must be from 0.0 to 1000000000000000.0"},
+       "/emissiveStrength: is -1, must be from 0.0 to 1e+15"},
       {"emissive_strength", {{"emissiveStrength", {1}}}, "/emissiveStrength: is array"},
       {"unlit", true, ": is boolean, must be an object"},
       {"ior", {{"ior", 0.5}}, "/ior: is 0.5, must be at least 1, or 0 for a perfect reflector"},

@@ -209,47 +209,5 @@ TEST(GltfMaterial, AnIndexOfRefractionOfZeroReflectsAll) {
   EXPECT_NEAR(std::pow((ior - 1) / (ior + 1), 2), 1, 1e-5);
 }
 
-// A texture without an image that can be read, since it is of a kind that an extension brings.
-TEST(GltfMaterial, TakesTheImageThatItCanRead) {
-  for (const char* extension : {"KHR_texture_basisu", "EXT_texture_webp"}) {
-    GltfBuilder builder = with_textures();
-    builder.json["extensionsUsed"] = {extension};
-    builder.json["textures"][1]["extensions"] = {{extension, {{"source", 1}}}};
-    const TemporaryFolder folder;
-    Warnings warnings;
-    EXPECT_GE(load(folder, builder.glb(), warnings).materials.at(0).base_color_texture.texture, 0);
-    ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(warnings[0].find(std::string("extension \"") + extension + "\" is left out"),
-              std::string::npos);
-    builder.json["textures"][1].erase("source");
-    warnings.clear();
-    EXPECT_EQ(load(folder, builder.glb(), warnings).materials.at(0).base_color_texture.texture, -1);
-    ASSERT_EQ(warnings.size(), 2U);
-    EXPECT_NE(warnings[1].find("/materials/0: texture 1 has no PNG or JPEG image and is left out"),
-              std::string::npos);
-  }
-}
-
-TEST(GltfMaterial, WarnsWhereTextureCoordinatesAreMissing) {
-  GltfBuilder builder = with_textures();
-  json& primitives = builder.json["meshes"][0]["primitives"];
-  primitives[0]["attributes"].erase("TEXCOORD_1");
-  const TemporaryFolder folder;
-  Warnings warnings;
-  EXPECT_EQ(load(folder, builder.glb(), warnings).materials.at(0).base_color_texture.uv_set, 0);
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find(":/materials/0: 1 of 1 primitives of this material have no "
-                             "TEXCOORD_1; TEXCOORD_0 is used"),
-            std::string::npos);
-  primitives.push_back(primitives[0]);
-  primitives[1]["attributes"].erase("TEXCOORD_0");
-  builder.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 0;
-  warnings.clear();
-  load(folder, builder.glb(), warnings);
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("1 of 2 primitives of this material have no TEXCOORD_0; 0 is used"),
-            std::string::npos);
-}
-
 }  // namespace
 }  // namespace restframe

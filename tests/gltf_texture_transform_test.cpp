@@ -7,9 +7,10 @@
 #include <complex>
 #include <numbers>
 
+#include "importers/importers.h"
 #include "support/direct_render.h"
-#include "support/gltf_faults.h"
-#include "support/gltf_reading.h"
+#include "support/gltf_builder.h"
+#include "support/temporary_folder.h"
 
 namespace restframe {
 namespace {
@@ -213,53 +214,23 @@ TEST(Wrapping, GoesOnBeyondTheImage) {
   }
 }
 
-class TextureTransformReading : public test::GltfReading {};
-
-TEST_F(TextureTransformReading, ReplacesTheUvSet) {
-  const json transform = {{"KHR_texture_transform", {{"texCoord", 1}}}};
-  const Asset asset = load(textured_square({{"index", 0}, {"extensions", transform}}, {}, 0, 1));
-  EXPECT_EQ(asset.materials.at(0).base_color_texture.uv_set, 1);
-  EXPECT_EQ(warnings_, Warnings{});
-}
-
-// On every use, in the core and in extensions, each its own.
-TEST_F(TextureTransformReading, HoldsForEveryTexture) {
-  const auto use = [](double offset) {
-    Transform t;
-    t.offset_u = offset;
-    return json{{"index", 0}, {"extensions", extension(t)}};
-  };
-  GltfBuilder builder = textured_square(use(1), {}, 0, 1);
-  json& m = builder.json["materials"][0];
-  m["pbrMetallicRoughness"]["metallicRoughnessTexture"] = use(2);
-  m["normalTexture"] = use(3);
-  m["emissiveTexture"] = use(4);
-  m["extensions"]["KHR_materials_transmission"] = {{"transmissionTexture", use(5)}};
-  m["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatNormalTexture", use(6)}};
-  builder.json["extensionsRequired"] = {"KHR_texture_transform"};
-  const Material material = load(builder).materials.at(0);
-  EXPECT_EQ(material.base_color_texture.transform.offset.x, 1);
-  EXPECT_EQ(material.metallic_roughness_texture.transform.offset.x, 2);
-  EXPECT_EQ(material.normal_texture.transform.offset.x, 3);
-  EXPECT_EQ(material.emission_texture.transform.offset.x, 4);
-  EXPECT_EQ(material.transmission_texture.transform.offset.x, 5);
-  EXPECT_EQ(material.clearcoat_normal_texture.transform.offset.x, 6);
-}
-
-TEST(BadTextureTransforms, AreNamed) {
-  const auto fault = [](const json& transform) {
-    const json use = {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
-    return test::fault_of_bytes(textured_square(use, {}, 0, 1).glb());
-  };
-  const std::string at =
-      "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform";
-  test::expect_fault(fault(3), at + ": is number, must be an object");
-  test::expect_fault(fault({{"offset", {1}}}), at + "/offset: has 1 numbers, must have 2");
-  test::expect_fault(fault({{"offset", {1, "2"}}}), at + "/offset/1: is string, must be a number");
-  test::expect_fault(fault({{"scale", 2}}), at + "/scale: is number, must be an array");
-  test::expect_fault(fault({{"scale", {1e31, 1}}}), at + "/scale/0: is 1e+31, must be from");
-  test::expect_fault(fault({{"rotation", "left"}}), at + "/rotation: is string, must be a number");
-  test::expect_fault(fault({{"texCoord", -1}}), at + "/texCoord: is -1, must be a whole number");
+// The same number, 188, as a colour and as alpha.
+TEST(TextureColours, AreSrgbAndAlphaIsLinear) {
+  GltfBuilder builder = textured_square({{"index", 0}}, {}, 0, 1);
+  const std::string bytes = test::png(1, 1, "\xbc\xbc\xbc\xbc");
+  builder.json["images"][0]["bufferView"] = builder.add_view(bytes.data(), bytes.size());
+  json& material = builder.json["materials"][0];
+  material["alphaMode"] = "BLEND";
+  material["emissiveTexture"] = {{"index", 0}};
+  material["emissiveFactor"] = {0, 0.5, 1};
+  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 4}};
+  const double color = std::pow((188.0 / 255 + 0.055) / 1.055, 2.4), alpha = 188.0 / 255;
+  const Picture picture = picture_of(builder);
+  const Vec4f pixel = picture.rgba().at(pixels * pixels / 2);
+  EXPECT_NEAR(pixel.x, alpha * color, 1e-5);
+  EXPECT_NEAR(pixel.y, alpha * (color + 2 * color), 1e-5);
+  EXPECT_NEAR(pixel.z, alpha * (color + 4 * color), 1e-5);
+  EXPECT_NEAR(pixel.w, alpha, 1e-5);
 }
 
 }  // namespace

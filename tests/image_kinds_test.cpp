@@ -57,13 +57,23 @@ TEST(Png, OfPalettesAreReadWithTheirAlpha) {
   EXPECT_EQ(pixels_of(test::png_of(2, 1, 4, PngColor::palette, {"\x10"}, alpha)),
             (Pixels{10, 11, 12, 255, 1, 2, 3, 64}));
   EXPECT_EQ(fault_of(test::png_of(1, 1, 8, PngColor::palette, {std::string("\0", 1)})),
-            "x: image can not be decoded: no PLTE");
+            "x: image can not be decoded: unknown image type");
 }
 
 TEST(Png, WithOneTransparentColourAreRead) {
   const std::string key = test::png_chunk("tRNS", std::string("\0\x07", 2));
   EXPECT_EQ(pixels_of(test::png_of(2, 1, 8, PngColor::grey, {"\x07\x08"}, key)),
             (Pixels{7, 7, 7, 0, 8, 8, 8, 255}));
+}
+
+TEST(Png, ThatIsDamagedIsRefused) {
+  std::string file = test::png(3, 3, std::string(36, 'x'));
+  file[60] ^= 1;
+  EXPECT_EQ(fault_of(file),
+            "x: image is a PNG damaged: the checksum of its \"IDAT\" chunk is wrong");
+  std::string remark = test::png_chunk("tEXt", "Comment");
+  remark.back() ^= 1;  // which is no reason
+  EXPECT_EQ(fault_of(test::png_of(1, 1, 8, PngColor::grey, {"x"}, remark)), "");
 }
 
 void expect_flat(const std::string& file, int red, int green, int blue) {
