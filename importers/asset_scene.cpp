@@ -28,7 +28,7 @@ void refuse_objects(TableReader& root) {
 }
 
 // What rests, as one object at the world's origin, and every node that moves.
-AssetObjects add_objects(const Path& path, SceneFile& file) {
+AssetObjects add_objects(const Path& path, int variant, SceneFile& file) {
   const SceneAsset& asset = file.assets[0];
   NodeRanges nodes = nodes_of_default_scene(asset.tree);
   const NodeGroups groups = grouped(file.authoring[0], nodes);
@@ -41,6 +41,7 @@ AssetObjects add_objects(const Path& path, SceneFile& file) {
   file.object_from_asset.push_back(object_from_asset);
   ObjectMaterials materials;
   materials.asset = 0;
+  materials.variant = variant;
   file.object_materials.push_back(materials);
   return {0, add_moving_nodes(0, groups.moving, "", file), "", std::move(nodes)};
 }
@@ -52,11 +53,20 @@ void drop_empty_whole(Scene& scene) {
   }
 }
 
-void read_all(const ConfigTable& said, const Path& path, SceneFile& file) {
+int variant_of(const SceneAsset& asset, const std::optional<std::string>& name, const Path& path) {
+  if (!name) return no_variant;
+  try {
+    return find_variant(asset, *name);
+  } catch (const InputError& error) {
+    throw InputError(path.string() + ": " + error.what());
+  }
+}
+
+void read_all(const ConfigTable& said, const Path& path, int variant, SceneFile& file) {
   TableReader root(said, {file.faults, ""});
   read_settings(root, file);
   refuse_objects(root);
-  const AssetObjects objects = add_objects(path, file);
+  const AssetObjects objects = add_objects(path, variant, file);
   read_asset_camera(root, objects, file);
   if (add_asset_lights(objects, file)) {
     const int place = file.faults.add_place(path.string() + ":/extensions/KHR_lights_punctual");
@@ -70,14 +80,16 @@ void read_all(const ConfigTable& said, const Path& path, SceneFile& file) {
 
 }  // namespace
 
-Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
+Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings,
+                       const std::optional<std::string>& variant) {
   SceneFile file(path, limits, warnings);
   file.asset_being_read = path;
   file.scene.output.path = default_output(path);
   Asset asset = load_asset(path, limits, warnings);
   add_asset_sources(file.scene, path.filename().string(), path, asset);
   add_scene_asset(std::move(asset), path, file);
-  read_all(file.authoring[0].scene.value_or(ConfigTable{}), path, file);
+  const int chosen = variant_of(file.assets[0], variant, path);
+  read_all(file.authoring[0].scene.value_or(ConfigTable{}), path, chosen, file);
   file.faults.throw_any();
   drop_empty_whole(file.scene);
   drop_unused_meshes(file.scene);

@@ -15,6 +15,7 @@
 #include "importers/gltf_nodes.h"
 #include "importers/gltf_posed.h"
 #include "importers/gltf_take_extras.h"
+#include "importers/gltf_variants.h"
 
 namespace restframe {
 namespace {
@@ -24,6 +25,7 @@ struct GltfTreeParts {
   std::vector<std::string> extensions;
   AssetTree tree;  // lights, cameras, and extras with glTF's indices
   std::vector<int> light_indices;
+  std::vector<std::string> variants;
 };
 
 GltfTreeParts take_tree_parts(const GltfContext& context, Json& document) {
@@ -34,6 +36,7 @@ GltfTreeParts take_tree_parts(const GltfContext& context, Json& document) {
   if (document.contains("extensionsUsed")) {
     parts.extensions = document["extensionsUsed"].get<std::vector<std::string>>();
   }
+  parts.variants = variant_names(document);
   parts.tree.extras = take_extras(context, document);
   return parts;
 }
@@ -48,13 +51,13 @@ void warn_of_degenerate(const GltfContext& context, const std::vector<Mesh>& mes
 
 // Reads every mesh, so that no fault hides, and keeps those that parts use.
 void read_meshes(const GltfContext& context, const tinygltf::Model& model,
-                 const std::vector<PosedMesh>& poses, Asset& asset) {
+                 const std::vector<PosedMesh>& poses, SlotTable& slots, Asset& asset) {
   std::vector<int> kept(poses.size(), -1);
   Skins skins(context, model);
   for (const Part& part : asset.parts) kept[static_cast<std::size_t>(part.mesh)] = 0;
-  const auto default_slot = static_cast<int>(model.materials.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    Mesh mesh = read_mesh(context, model, poses[i], skins, default_slot);
+    const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(poses[i].mesh)];
+    Mesh mesh = read_mesh(context, model, poses[i], skins, slots.slots_of(source));
     if (kept[i] < 0) {
       context.warn("/meshes/" + std::to_string(poses[i].mesh),
                    "no node of a scene places this mesh");
@@ -71,16 +74,31 @@ void read_meshes(const GltfContext& context, const tinygltf::Model& model,
   if (asset.parts.empty()) context.warn("", "has no triangles to render");
 }
 
+// The slot after the model's materials is that of primitives without one. Where there are none, the
+// slots beyond move up.
 void add_default_material(const tinygltf::Model& model, Asset& asset) {
   const auto slot = static_cast<int>(model.materials.size());
   bool needed = asset.materials.empty();
+  for (const VariantSlot& by_variant : asset.variant_slots) needed |= by_variant.material == slot;
   for (const Mesh& mesh : asset.meshes) {
     for (const MaterialRange& range : mesh.materials) needed |= range.slot == slot;
   }
-  if (!needed) return;
-  Material material;
-  material.name = "default";
-  asset.materials.push_back(material);
+  if (needed) {
+    asset.materials.emplace_back().name = "default";
+    return;
+  }
+  for (Mesh& mesh : asset.meshes) {
+    for (MaterialRange& range : mesh.materials) range.slot -= range.slot > slot ? 1 : 0;
+  }
+}
+
+void read_surfaces(const GltfContext& context, const tinygltf::Model& model,
+                   const std::vector<ImageSource>& images, Asset& asset) {
+  std::vector<UsedImage> used_images;
+  read_materials(context, model, asset, used_images);
+  check_uv_sets(context, model, asset);
+  add_default_material(model, asset);
+  read_images(context, model, images, used_images, asset);
 }
 
 // Gives the extras of nodes the nodes' places in the tree, and drops those that are in no scene.
@@ -113,13 +131,13 @@ Asset assemble(const GltfContext& context, tinygltf::Model& model,
   asset.name = context.path.filename().string();
   asset.tree = std::move(parts.tree);
   asset.extensions = std::move(parts.extensions);
+  asset.variants = std::move(parts.variants);
   const std::vector<PosedMesh> poses = pose_meshes(context, model);
   connect_extras(context, place_nodes(context, model, parts.light_indices, asset), asset.tree);
-  read_meshes(context, model, poses, asset);
-  std::vector<UsedImage> used_images;
-  read_materials(context, model, asset, used_images);
-  add_default_material(model, asset);
-  asset.images = read_images(context, model, images, used_images);
+  SlotTable slots(static_cast<int>(model.materials.size()));
+  read_meshes(context, model, poses, slots, asset);
+  asset.variant_slots = slots.take();
+  read_surfaces(context, model, images, asset);
   return asset;
 }
 

@@ -11,11 +11,11 @@ namespace restframe {
 namespace {
 
 constexpr std::array supported_extensions = {
-    "KHR_lights_punctual",        "KHR_draco_mesh_compression", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_transmission",
-    "KHR_materials_unlit",        "KHR_materials_volume",
-    "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression"};
+    "KHR_draco_mesh_compression",      "KHR_lights_punctual",        "KHR_materials_clearcoat",
+    "KHR_materials_emissive_strength", "KHR_materials_ior",          "KHR_materials_sheen",
+    "KHR_materials_specular",          "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_materials_variants",          "KHR_materials_volume",       "KHR_texture_transform",
+    "KHR_mesh_quantization",           "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression"};
 
 struct Version {
   int major = 0, minor = 0;
@@ -117,8 +117,10 @@ void check_gltf(const GltfContext& context, const Json& json) {
   check_sections(document);
   check_buffers(document);
   check_accessors(document);
+  check_textures(document);
   check_materials(document);
   check_meshes(document);
+  check_variants(document);
   check_nodes(document);
   check_lights(document);
   check_cameras(document);

@@ -12,17 +12,20 @@ namespace restframe {
 
 // Where an image's PNG or JPEG bytes are.
 struct ImageSource {
-  std::string name, uri;
+  std::string name, uri, mime_type;
   int view = -1;  // a bufferView, or -1: at the uri
 };
 
 // Takes the images out of a checked document.
 std::vector<ImageSource> take_image_sources(Json& document);
 
-// Decodes the images in use. Of those that are only data for shading, faults are no more than
-// warnings: one white pixel stands in for them.
-std::vector<Image> read_images(const GltfContext& context, const tinygltf::Model& model,
-                               const std::vector<ImageSource>& sources,
-                               const std::vector<UsedImage>& used);
+// Decodes the images in use, each once, on all threads, into the asset's images. Their sizes are
+// checked against the limits before the first is decoded. Of faults, the first image's in the file's
+// order is thrown: of those that show before decoding, then of those that decoding finds. Of images
+// that are only data for shading, faults are no more than warnings: the asset's materials go without
+// them, and one white pixel stands where they would be.
+void read_images(const GltfContext& context, const tinygltf::Model& model,
+                 const std::vector<ImageSource>& sources, const std::vector<UsedImage>& used,
+                 Asset& asset);
 
 }  // namespace restframe

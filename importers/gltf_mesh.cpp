@@ -23,7 +23,7 @@ void join(Mesh& mesh, Mesh part, int slot) {
 }  // namespace
 
 Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, const PosedMesh& posed,
-               Skins& skins, int default_slot) {
+               Skins& skins, const std::vector<int>& slots) {
   const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(posed.mesh)];
   const std::vector<tinygltf::Primitive>& primitives = source.primitives;
   const std::string pointer = "/meshes/" + std::to_string(posed.mesh);
@@ -34,8 +34,7 @@ Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, const P
     if (!is_surface(primitives[i])) continue;
     const PrimitivePlace place{context, pointer + "/primitives/" + std::to_string(i)};
     Mesh part = read_primitive(place, model, primitives[i], posed, skins, surfaces > 1);
-    const int slot = primitives[i].material >= 0 ? primitives[i].material : default_slot;
-    if (!part.triangles.empty()) join(mesh, std::move(part), slot);
+    if (!part.triangles.empty()) join(mesh, std::move(part), slots[i]);
   }
   mesh.name = source.name.empty() ? "mesh_" + std::to_string(posed.mesh) : source.name;
   if (surfaces < primitives.size()) {

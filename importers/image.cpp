@@ -3,8 +3,10 @@
 
 #include <climits>
 #include <cstdlib>
-#include <cstring>
+#include <memory>
+#include <string_view>
 
+#include "importers/image_format.h"
 #include "importers/importers.h"
 #include "scene/error.h"
 
@@ -36,46 +38,73 @@ void* limited_realloc(void* memory, std::size_t size) {
 namespace restframe {
 namespace {
 
-bool begins_with(const std::vector<std::uint8_t>& bytes, const char* signature,
-                 std::size_t length) {
-  return bytes.size() >= length && std::memcmp(bytes.data(), signature, length) == 0;
+struct FreePixels {
+  void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+struct Size {
+  int width = 0, height = 0;
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+};
+
+void require_kind(ByteSpan bytes, const std::string& what) {
+  const char* kind = image_kind(bytes);
+  const std::string_view name = kind ? kind : "";
+  if (name == "PNG" || name == "JPEG") return;
+  throw InputError(what + ": image is neither PNG nor JPEG" +
+                   (kind ? std::string(" but ") + kind : std::string()));
 }
 
-}  // namespace
+[[noreturn]] void throw_undecodable(const std::string& what) {
+  throw InputError(what + ": image can not be decoded: " + stbi_failure_reason());
+}
 
-Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& what,
-                   const ImportLimits& limits) {
-  if (!begins_with(bytes, "\x89PNG\r\n\x1a\n", 8) && !begins_with(bytes, "\xff\xd8\xff", 3)) {
-    throw InputError(what + ": image is neither PNG nor JPEG");
-  }
+Size size_of(ByteSpan bytes, const std::string& what, const ImportLimits& limits) {
+  require_kind(bytes, what);
   if (bytes.size() > INT_MAX) {
     throw InputError(what + ": image file of " + std::to_string(bytes.size()) +
                      " bytes, the limit is " + std::to_string(INT_MAX));
   }
-  const auto size = static_cast<int>(bytes.size());
-  int width = 0, height = 0, channels = 0;
+  Size size;
+  int channels = 0;
   largest_allocation = std::size_t{1} << 20;
-  if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
-    throw InputError(what + ": image can not be decoded: " + stbi_failure_reason());
+  if (stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &size.width, &size.height,
+                            &channels) == 0) {
+    throw_undecodable(what);
   }
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (pixels > limits.image_pixels) {
-    throw InputError(what + ": image of " + std::to_string(width) + " x " + std::to_string(height) +
-                     " pixels, the limit is " + std::to_string(limits.image_pixels) +
-                     " pixels; --max-image-pixels raises it");
+  if (size.pixels() <= limits.image_pixels) return size;
+  throw InputError(what + ": image of " + std::to_string(size.width) + " x " +
+                   std::to_string(size.height) + " pixels, the limit is " +
+                   std::to_string(limits.image_pixels) + " pixels; --max-image-pixels raises it");
+}
+
+}  // namespace
+
+std::size_t count_image_pixels(ByteSpan bytes, const std::string& what,
+                               const ImportLimits& limits) {
+  return size_of(bytes, what, limits).pixels();
+}
+
+Image decode_image(ByteSpan bytes, const std::string& what, const ImportLimits& limits) {
+  const Size size = size_of(bytes, what, limits);
+  const bool is_jpeg = bytes[0] == 0xFF;
+  const std::string fault = is_jpeg ? jpeg_fault(bytes) : png_fault(bytes);
+  if (!fault.empty()) {
+    throw InputError(what + (is_jpeg ? ": image is a JPEG " : ": image is a PNG ") + fault);
   }
   // 16 bits a channel, a filter byte a row, and buffers that double as they grow.
-  largest_allocation = 20 * (pixels + static_cast<std::size_t>(height)) + bytes.size() + (1 << 20);
-  stbi_uc* rgba = stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4);
-  if (rgba == nullptr) {
-    throw InputError(what + ": image can not be decoded: " + stbi_failure_reason());
-  }
+  const std::size_t pixels = size.pixels();
+  largest_allocation =
+      20 * (pixels + static_cast<std::size_t>(size.height)) + bytes.size() + (1 << 20);
   Image image;
-  image.format = bytes[0] == 0xFF ? "JPEG" : "PNG";
-  image.width = width;
-  image.height = height;
-  image.rgba.assign(rgba, rgba + 4 * pixels);
-  stbi_image_free(rgba);
+  image.format = is_jpeg ? "JPEG" : "PNG";
+  int channels = 0;
+  const std::unique_ptr<stbi_uc, FreePixels> rgba(stbi_load_from_memory(
+      bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 4));
+  if (!rgba) throw_undecodable(what);
+  image.rgba.assign(rgba.get(), rgba.get() + 4 * pixels);
   return image;
 }
 

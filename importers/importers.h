@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +31,10 @@ struct ImportLimits {
 using Warnings = std::vector<std::string>;
 using Path = std::filesystem::path;
 
-// A scene file (.toml), or an asset in its place: one object at rest at the world's origin.
-Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings);
+// A scene file (.toml), or an asset in its place: one object at rest at the world's origin, in the
+// asset's variant of that name.
+Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings,
+                 const std::optional<std::string>& variant = {});
 
 // By extension: .gltf .glb .obj .ply .stl .off
 Asset load_asset(const Path& path, const ImportLimits& limits, Warnings& warnings);
@@ -43,9 +47,15 @@ Asset load_ply(const Path& path, const ImportLimits& limits, Warnings& warnings)
 Asset load_stl(const Path& path, const ImportLimits& limits, Warnings& warnings);
 Asset load_off(const Path& path, const ImportLimits& limits, Warnings& warnings);
 
-// PNG or JPEG bytes; `what` names the image in errors.
-Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& what,
+// PNG or JPEG bytes, of 8 or 16 bits a channel, of any number of channels; `what` names the image in
+// errors.
+Image decode_image(std::span<const std::uint8_t> bytes, const std::string& what,
                    const ImportLimits& limits);
+
+// The pixels that decode_image() would make, as the bytes say at their beginning. Throws what it
+// would throw for the kind and the size of the image.
+std::size_t count_image_pixels(std::span<const std::uint8_t> bytes, const std::string& what,
+                               const ImportLimits& limits);
 
 // Normals by crease angle where a mesh has none: smooth across edges that fold by less than
 // `crease_degrees`. Vertices are split where their corners' normals differ.

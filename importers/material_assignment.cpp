@@ -18,13 +18,13 @@ constexpr int every_object = -1;
 
 // A material as it stands: where it comes from, and the changes that it went through.
 struct Origin {
-  int asset = -1, slot = -1;  // -1: a new material
+  int asset = -1, material = -1;  // the asset's material; -1: a new one
   std::string name;
   std::vector<int> changes;
 
   bool operator<(const Origin& other) const {
-    return std::tie(asset, slot, name, changes) <
-           std::tie(other.asset, other.slot, other.name, other.changes);
+    return std::tie(asset, material, name, changes) <
+           std::tie(other.asset, other.material, other.name, other.changes);
   }
 };
 
@@ -82,10 +82,11 @@ void Assignment::collect_slots() {
     first_slot_.push_back(candidates_.size());
     if (parts_.shares_materials(i)) continue;
     const int asset = file_.object_materials[i].asset;
-    const auto& materials = file_.assets[static_cast<std::size_t>(asset)].materials;
-    for (std::size_t slot = 0; slot < materials.size(); ++slot) {
-      add_candidate(
-          {static_cast<int>(i), {asset, static_cast<int>(slot), materials[slot].name, {}}});
+    const SceneAsset& source = file_.assets[static_cast<std::size_t>(asset)];
+    for (int slot = 0; slot < slot_count(source); ++slot) {
+      const int material = material_of_slot(source, slot, file_.object_materials[i].variant);
+      const std::string& name = source.materials[static_cast<std::size_t>(material)].name;
+      add_candidate({static_cast<int>(i), {asset, material, name, {}}});
     }
   }
   first_slot_.push_back(candidates_.size());
@@ -209,7 +210,7 @@ int Assignment::scene_material(const Origin& origin) {
   Material material;
   if (origin.asset >= 0) {
     const SceneAsset& asset = file_.assets[static_cast<std::size_t>(origin.asset)];
-    material = asset.materials[static_cast<std::size_t>(origin.slot)];
+    material = asset.materials[static_cast<std::size_t>(origin.material)];
   }
   material.name = origin.name;
   for (const int index : origin.changes) {

@@ -1,6 +1,7 @@
 #include "importers/material_change.h"
 
 namespace restframe {
+
 void set(const std::optional<Property>& given, TemporalNumber& number) {
   if (!given) return;
   if (const auto* constant = std::get_if<TemporalValue>(&*given)) number = {constant->x};
@@ -34,20 +35,16 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 void apply(const MaterialChange& change, Material& material) {
-  set(change.base_color, material.base_color);
-  set(change.metallic, material.metallic);
-  set(change.roughness, material.roughness);
-  set(change.emission, material.emission);
-  set(change.emission_strength, material.emission_strength);
-  set(change.opacity, material.opacity);
-  set(change.ior, material.ior);
-  set(change.transmission, material.transmission);
-  set(change.attenuation_color, material.attenuation_color);
-  set(change.attenuation_distance, material.attenuation_distance);
+  bool opacity_given = false;
+  for (const auto& [member, property] : change.numbers) {
+    set(property, material.*member);
+    opacity_given |= member == &Material::opacity;
+  }
+  for (const auto& [member, property] : change.colors) set(property, material.*member);
   if (change.base_color_texture == false) material.base_color_texture = {};
   if (change.unlit) material.unlit = *change.unlit;
   const bool see_through = material.opacity.function != no_function || material.opacity.value < 1;
-  if (change.opacity && see_through && material.alpha_mode == AlphaMode::opaque) {
+  if (opacity_given && see_through && material.alpha_mode == AlphaMode::opaque) {
     material.alpha_mode = AlphaMode::blend;
   }
 }

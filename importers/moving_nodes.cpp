@@ -44,11 +44,11 @@ Object moving_object(const NodeMotion& motion, const Object& base, const Mat4& o
 }
 
 bool fits(const AssetAuthoring& said, const SceneAsset& asset, std::size_t count, SceneFile& file) {
-  if (count * asset.materials.size() <= most_slots) return true;
+  if (count * static_cast<std::size_t>(slot_count(asset)) <= most_slots) return true;
   file.faults.add(said.motions.front().at,
                   fmt::format("{} nodes that move by themselves, times {} materials, are more than "
                               "{}",
-                              count, asset.materials.size(), most_slots));
+                              count, slot_count(asset), most_slots));
   return false;
 }
 

@@ -1,10 +1,17 @@
 #include "importers/scene_assets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <numeric>
 
 #include "importers/material_change.h"
+
+#include "scene/error.h"
+#include "scene/material_properties.h"
+#include "scene/message.h"
+#include "scene/suggest.h"
 
 namespace restframe {
 namespace {
@@ -13,10 +20,6 @@ template <class T>
 void move_into(std::vector<T>& target, std::vector<T>& source) {
   target.insert(target.end(), std::make_move_iterator(source.begin()),
                 std::make_move_iterator(source.end()));
-}
-
-void shift(TextureUse& use, int first_texture) {
-  if (use.texture >= 0) use.texture += first_texture;
 }
 
 void sort_by_name(const std::vector<AssetNode>& nodes, std::vector<int>& sorted) {
@@ -40,15 +43,36 @@ SceneAsset add_asset(Scene& scene, Asset asset) {
   added.tree = std::move(asset.tree);
   for (Texture& texture : asset.textures) texture.image += first_image;
   for (Material& material : asset.materials) {
-    shift(material.base_color_texture, first_texture);
-    shift(material.metallic_roughness_texture, first_texture);
-    shift(material.emission_texture, first_texture);
+    for (const TextureProperty& property : texture_properties) {
+      TextureUse& use = material.*property.member;
+      if (use.texture >= 0) use.texture += first_texture;
+    }
   }
   added.materials = std::move(asset.materials);
+  added.variants = std::move(asset.variants);
+  added.variant_slots = std::move(asset.variant_slots);
   move_into(scene.meshes, asset.meshes);
   move_into(scene.textures, asset.textures);
   move_into(scene.images, asset.images);
   return added;
+}
+
+int material_of_slot(const SceneAsset& asset, int slot, int variant) {
+  const auto index = static_cast<std::size_t>(slot);
+  if (index < asset.materials.size()) return slot;
+  const VariantSlot& by_variant = asset.variant_slots[index - asset.materials.size()];
+  const auto found = by_variant.by_variant.find(variant);
+  return found == by_variant.by_variant.end() ? by_variant.material : found->second;
+}
+
+int find_variant(const SceneAsset& asset, const std::string& name) {
+  const auto found = std::find(asset.variants.begin(), asset.variants.end(), name);
+  if (found != asset.variants.end()) return static_cast<int>(found - asset.variants.begin());
+  if (asset.variants.empty()) {
+    throw InputError(fmt::format("variant {}: the asset has no variants", quote(name)));
+  }
+  throw InputError(fmt::format("the asset has no variant {}, the nearest is {}", quote(name),
+                               quote(nearest(name, asset.variants))));
 }
 
 NodeRanges find_nodes(SceneAsset& asset, const std::string& pattern) {

@@ -15,7 +15,22 @@ struct SceneAsset {
   std::vector<Material> materials;  // by slot
   AssetTree tree;
   std::vector<int> nodes_by_name;  // the tree's, sorted; made when somebody first looks for a name
+  std::vector<std::string> variants;
+  std::vector<VariantSlot> variant_slots;
 };
+
+// The slots of the asset's meshes: one a material, then those that depend on the variant.
+inline int slot_count(const SceneAsset& asset) {
+  return static_cast<int>(asset.materials.size() + asset.variant_slots.size());
+}
+
+// Which of the asset's materials the slot has in this variant; no_variant: as the asset is.
+inline constexpr int no_variant = -1;
+int material_of_slot(const SceneAsset& asset, int slot, int variant);
+
+// The asset's variant of that name. Throws InputError if it has none: "the asset has no variant
+// ..., the nearest is ...".
+int find_variant(const SceneAsset& asset, const std::string& name);
 
 // Moves the asset's meshes, textures and images into the scene.
 SceneAsset add_asset(Scene& scene, Asset asset);

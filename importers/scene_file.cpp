@@ -11,6 +11,7 @@
 #include "importers/refraction_check.h"
 #include "importers/toml_text.h"
 #include "scene/file_names.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -70,10 +71,16 @@ void add_asset_sources(Scene& scene, const std::string& name, const Path& path,
   }
 }
 
-Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings) {
-  const bool is_scene_file = lower_extension(path) == ".toml";
-  return is_scene_file ? load_scene_file(path, limits, warnings)
-                       : load_asset_scene(path, limits, warnings);
+Scene load_scene(const Path& path, const ImportLimits& limits, Warnings& warnings,
+                 const std::optional<std::string>& variant) {
+  if (lower_extension(path) != ".toml") return load_asset_scene(path, limits, warnings, variant);
+  if (variant) {
+    throw InputError(
+        fmt::format("{}: variant {} goes with an asset; in a scene file, write it as "
+                    "`variant` in [[object]]",
+                    path.string(), quote(*variant)));
+  }
+  return load_scene_file(path, limits, warnings);
 }
 
 }  // namespace restframe

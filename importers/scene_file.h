@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct MaterialReference {
 
 // Where an object takes its materials from.
 struct ObjectMaterials {
-  int asset = -1;  // index into SceneFile::assets; -1: it could not be read
+  int asset = -1;            // index into SceneFile::assets; -1: it could not be read
+  int variant = no_variant;  // of that asset
   std::optional<MaterialReference> all_slots;
   std::map<int, MaterialReference> slots;
   int part_of =
@@ -75,8 +77,8 @@ struct MaterialChange {
   TextPosition at;
   std::string name;                         // exact, or a pattern in which * stands for anything
   std::optional<MaterialReference> object;  // only there
-  std::optional<Property> base_color, metallic, roughness, emission, emission_strength, opacity,
-      ior, transmission, attenuation_color, attenuation_distance;
+  std::vector<std::pair<TemporalNumber Material::*, Property>> numbers;
+  std::vector<std::pair<TemporalColor Material::*, Property>> colors;
   std::optional<bool> base_color_texture, unlit;
 };
 
@@ -129,7 +131,8 @@ int add_scene_asset(Asset asset, const Path& path, SceneFile& file);
 void check_whole(const Scene& scene, const Path& path);
 
 // An asset in place of a scene file: what it says of itself is the scene.
-Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings);
+Scene load_asset_scene(const Path& path, const ImportLimits& limits, Warnings& warnings,
+                       const std::optional<std::string>& variant);
 
 // Notes a file that went into the scene. Throws InputError if it can not be read.
 void add_source(Scene& scene, const std::string& name, const Path& path);

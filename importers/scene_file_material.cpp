@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "importers/scene_file.h"
+#include "scene/material_properties.h"
 
 namespace restframe {
 namespace {
@@ -12,24 +15,23 @@ std::optional<MaterialReference> read_object_name(TableReader& material, const S
                            file.scene.objects[static_cast<std::size_t>(*index)].name};
 }
 
+Range range_of(float low, float high) {
+  constexpr float unlimited = std::numeric_limits<float>::max();
+  if (low <= -unlimited) return {};
+  return high < unlimited ? from_to(low, high) : at_least(low);
+}
+
 void read_properties(TableReader& material, MaterialChange& change, SceneFile& file) {
-  const ValueRule reflectance{true, from_to(0, 1)}, fraction{false, from_to(0, 1)};
-  change.base_color = read_property(material, "base_color", reflectance, file);
-  change.metallic = read_property(material, "metallic", fraction, file);
-  change.roughness = read_property(material, "roughness", fraction, file);
-  change.emission = read_property(material, "emission", {true, at_least(0)}, file);
-  change.emission_strength =
-      read_property(material, "emission_strength", {false, at_least(0)}, file);
-  change.opacity = read_property(material, "opacity", fraction, file);
+  for (const ColorProperty& p : color_properties) {
+    const auto property = read_property(material, p.name, {true, range_of(0, p.high)}, file);
+    if (property) change.colors.emplace_back(p.member, *property);
+  }
+  for (const NumberProperty& p : number_properties) {
+    const auto property = read_property(material, p.name, {false, range_of(p.low, p.high)}, file);
+    if (property) change.numbers.emplace_back(p.member, *property);
+  }
   change.base_color_texture = material.boolean("base_color_texture");
   change.unlit = material.boolean("unlit");
-  change.ior = read_property(material, "ior", {false, at_least(1)}, file);
-  change.transmission = read_property(material, "transmission", fraction, file);
-  change.attenuation_color = read_property(material, "attenuation_color", reflectance, file);
-  change.attenuation_distance =
-      read_property(material, "attenuation_distance", {false, at_least(0)}, file);
-  material.not_supported({"specular", "specular_color", "clearcoat", "clearcoat_roughness",
-                          "sheen_color", "sheen_roughness", "normal_scale"});
 }
 
 std::optional<MaterialChange> read_change(const ConfigTable& table, SceneFile& file) {

@@ -28,11 +28,12 @@ void add_slot_materials(const ConfigEntry& entry, const SceneAsset& asset, const
   const auto name = read_text(entry.value, entry.key, report);
   std::vector<std::string> slots;
   bool found = false;
-  for (std::size_t slot = 0; slot < asset.materials.size(); ++slot) {
-    slots.push_back(asset.materials[slot].name);
+  for (int slot = 0; slot < slot_count(asset); ++slot) {
+    const int material = material_of_slot(asset, slot, materials.variant);
+    slots.push_back(asset.materials[static_cast<std::size_t>(material)].name);
     if (slots.back() != entry.key) continue;
     found = true;
-    if (name) materials.slots[static_cast<int>(slot)] = {entry.value.at, *name};
+    if (name) materials.slots[slot] = {entry.value.at, *name};
   }
   if (!found) {
     report(entry.key_at, fmt::format("the asset has no material \"{}\", the nearest is \"{}\"",
@@ -40,10 +41,22 @@ void add_slot_materials(const ConfigEntry& entry, const SceneAsset& asset, const
   }
 }
 
+int read_variant(TableReader& table, std::optional<int> asset, const SceneFile& file) {
+  const auto name = table.text("variant");
+  if (!name || !asset) return no_variant;
+  try {
+    return find_variant(file.assets[static_cast<std::size_t>(*asset)], *name);
+  } catch (const InputError& error) {
+    table.report(table.place("variant"), error.what());
+    return no_variant;
+  }
+}
+
 ObjectMaterials read_materials(TableReader& table, std::optional<int> asset,
                                const SceneFile& file) {
   ObjectMaterials materials;
   materials.asset = asset.value_or(-1);
+  materials.variant = read_variant(table, asset, file);
   if (const auto name = table.text("material")) {
     materials.all_slots = MaterialReference{table.place("material"), *name};
   }

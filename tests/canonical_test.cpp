@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "scene/material_properties.h"
+
 namespace restframe {
 namespace {
 
@@ -233,13 +235,53 @@ TEST(Canonical, ChangesWithMaterials) {
       {"attenuation_color", [](Scene& s) { s.materials[0].attenuation_color.value.y = 0.5F; }},
       {"attenuation_distance", [](Scene& s) { s.materials[0].attenuation_distance.value = 0.5F; }},
       {"base colour's texture", [](Scene& s) { s.materials[0].base_color_texture.texture = 0; }},
-      {"its UV set", [](Scene& s) { s.materials[0].base_color_texture.uv_set = 1; }},
+      {"its UV set",
+       [](Scene& s) {
+         s.materials[0].base_color_texture = {0, 1, {}};
+       }},
+      {"its transform",
+       [](Scene& s) {
+         s.materials[0].base_color_texture = {0, 0, {{0, 1}, {1, 0}, {0, 0}}};
+       }},
+      {"its offset",
+       [](Scene& s) {
+         s.materials[0].base_color_texture = {0, 0, {{1, 0}, {0, 1}, {0, 0.5F}}};
+       }},
+      {"clearcoat's normals", [](Scene& s) { s.materials[0].clearcoat_normal_scale = 0.5F; }},
+      {"a texture", [](Scene& s) { s.textures.emplace_back(); }},
+      {"a texture's image", [](Scene& s) { s.textures.emplace_back().image = 1; }},
+      {"a texture of data", [](Scene& s) { s.textures.emplace_back().srgb = false; }},
+      {"wrapping", [](Scene& s) { s.textures.emplace_back().wrap_u = Wrap::clamp; }},
+      {"wrapping of v", [](Scene& s) { s.textures.emplace_back().wrap_v = Wrap::clamp; }},
+      {"filter", [](Scene& s) { s.textures.emplace_back().filter = TextureFilter::nearest; }},
+      {"mip filter", [](Scene& s) { s.textures.emplace_back().mip_filter = MipFilter::none; }},
       {"emission's texture", [](Scene& s) { s.materials[0].emission_texture.texture = 0; }},
       {"alpha mode", [](Scene& s) { s.materials[0].alpha_mode = AlphaMode::blend; }},
       {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
   });
+}
+
+TEST(Canonical, ChangesWithEveryProperty) {
+  std::map<std::string, Change> changes;
+  for (const NumberProperty& p : number_properties) {
+    changes[p.name] = [&](Scene& s) { (s.materials[0].*p.member).value = 0.25F; };
+    changes[std::string(p.name) + "'s function"] = [&](Scene& s) {
+      (s.materials[0].*p.member).function = 0;
+    };
+  }
+  for (const ColorProperty& p : color_properties) {
+    changes[p.name] = [&](Scene& s) { (s.materials[0].*p.member).value.z = 0.25F; };
+    changes[std::string(p.name) + "'s function"] = [&](Scene& s) {
+      (s.materials[0].*p.member).function = 1;
+    };
+  }
+  for (const TextureProperty& p : texture_properties) {
+    changes[p.name] = [&](Scene& s) { (s.materials[0].*p.member).texture = 0; };
+  }
+  EXPECT_EQ(changes.size(), 46U);
+  expect_all_different(changes);
 }
 
 TEST(Canonical, ChangesWithLights) {

@@ -30,7 +30,7 @@ std::string content_of(const fs::path& file) {
 
 Image read_png(const fs::path& file) {
   const std::string content = content_of(file);
-  return decode_image({content.begin(), content.end()}, file.string(), {});
+  return decode_image(std::vector<std::uint8_t>(content.begin(), content.end()), file.string(), {});
 }
 
 // IEC 61966-2-1.

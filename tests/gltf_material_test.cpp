@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "importers/importers.h"
 #include "scene/error.h"
 #include "support/gltf_builder.h"
@@ -109,7 +111,12 @@ GltfBuilder with_textures() {
                                         {{"baseColorTexture", {{"index", 1}, {"texCoord", 1}}},
                                          {"metallicRoughnessTexture", {{"index", 0}}}}},
                                        {"emissiveTexture", {{"index", 0}}}});
-  builder.json["samplers"] = {{{"magFilter", 9728}, {"wrapS", 33071}, {"wrapT", 33648}}};
+  json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+  for (const char* set : {"TEXCOORD_0", "TEXCOORD_1"}) {
+    attributes[set] = builder.add_accessor<float>({0, 0, 1, 0, 0, 1}, "VEC2");
+  }
+  builder.json["samplers"] = {
+      {{"magFilter", 9728}, {"minFilter", 9985}, {"wrapS", 33071}, {"wrapT", 33648}}};
   builder.json["textures"] = {{{"source", 1}}, {{"source", 0}, {"sampler", 0}}};
   const std::string first = test::png(1, 1, red_pixel), second = test::png(1, 1, half_pixel);
   const int view = builder.add_view(first.data(), first.size());
@@ -128,6 +135,8 @@ TEST(GltfMaterial, ReadsTexturesWithTheirSamplers) {
   const Texture& texture = asset.textures.at(static_cast<std::size_t>(color.texture));
   EXPECT_TRUE(texture.srgb);
   EXPECT_EQ(texture.filter, TextureFilter::nearest);
+  EXPECT_EQ(texture.shrunken_filter, TextureFilter::linear);
+  EXPECT_EQ(texture.mip_filter, MipFilter::nearest);
   EXPECT_EQ(texture.wrap_u, Wrap::clamp);
   EXPECT_EQ(texture.wrap_v, Wrap::mirrored_repeat);
   const Image& image = asset.images.at(static_cast<std::size_t>(texture.image));
@@ -164,35 +173,40 @@ TEST(GltfMaterial, ReplacesABadImageThatIsOnlyData) {
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("/images/1/uri: can not find file \"missing.png\""),
             std::string::npos);
+  EXPECT_EQ(asset.materials.at(0).metallic_roughness_texture.texture, -1);
+  EXPECT_GE(asset.materials.at(0).base_color_texture.texture, 0);
 }
 
-TEST(GltfMaterial, NamesMapsThatItDoesNotUse) {
+// Those that nothing is shaded with yet, and those that never will be.
+TEST(GltfMaterial, NamesMapsThatPicturesDoNotShow) {
   GltfBuilder builder = with_textures();
-  builder.json["materials"][0]["normalTexture"] = {{"index", 0}};
-  const TemporaryFolder folder;
-  Warnings warnings;
-  load(folder, builder.glb(), warnings);
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("/materials: normalTexture of 1 materials is left out"),
-            std::string::npos);
-}
-
-TEST(GltfMaterial, NamesGlassThatItDoesNotRead) {
-  GltfBuilder builder = with_textures();
-  builder.json["materials"][0]["extensions"] = {
-      {"KHR_materials_ior", {{"ior", 0}}},
+  json& material = builder.json["materials"][0];
+  material["normalTexture"] = {{"index", 0}, {"scale", -0.5}};
+  material["occlusionTexture"] = {{"index", 0}, {"strength", 0.5}};
+  material["extensions"] = {
       {"KHR_materials_transmission", {{"transmissionTexture", {{"index", 0}}}}},
+      {"KHR_materials_sheen", json::object()},
       {"KHR_materials_volume", {{"thicknessTexture", {{"index", 0}}}}}};
   const TemporaryFolder folder;
   Warnings warnings;
-  EXPECT_EQ(load(folder, builder.glb(), warnings).materials.at(0).ior.value, 1);
+  const Material read = load(folder, builder.glb(), warnings).materials.at(0);
+  EXPECT_EQ(read.normal_scale.value, -0.5F);
+  EXPECT_GE(read.normal_texture.texture, 0);
+  EXPECT_GE(read.transmission_texture.texture, 0);
+  const std::string file = (folder.path() / "asset.glb").string();
   ASSERT_EQ(warnings.size(), 3U);
-  const std::vector<std::string> words = {"transmissionTexture of 1 materials is left out",
-                                          "thicknessTexture of 1 materials is left out",
-                                          "/materials/0: ior is 0, must be at least 1"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NE(warnings[i].find(words[i]), std::string::npos) << warnings[i];
-  }
+  EXPECT_EQ(warnings[0], file + ":/materials: occlusionTexture of 1 materials is left out");
+  EXPECT_EQ(warnings[1], file + ":/materials: thicknessTexture of 1 materials is left out");
+  EXPECT_EQ(warnings[2], file +
+                             ":/materials: read, but nothing is shaded with it yet: normalTexture "
+                             "of 1 materials, transmissionTexture of 1 materials, "
+                             "KHR_materials_sheen of 1 materials");
+}
+
+TEST(GltfMaterial, AnIndexOfRefractionOfZeroReflectsAll) {
+  const json source = {{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}};
+  const float ior = load(with_material(source)).materials.at(0).ior.value;
+  EXPECT_NEAR(std::pow((ior - 1) / (ior + 1), 2), 1, 1e-5);
 }
 
 }  // namespace

@@ -90,8 +90,6 @@ TEST_F(BadScene, WhatThisVersionDoesNotDo) {
       {in_section("render", "doppler = true"), {"2:1: " + none("doppler")}},
       {in_section("output", "split = true"), {"2:1: " + none("split")}},
       {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},
-      {in_material("specular = 0.5"), {"6:1: " + none("specular")}},
-      {in_material("clearcoat = 1"), {"6:1: " + none("clearcoat")}},
   });
 }
 
@@ -192,6 +190,15 @@ TEST_F(BadScene, Materials) {
       {in_material("emission_strength = 1e300"), {"6:21: ", "too large"}},
       {in_material("emission = [0, 0, 1e300]"), {"6:12: ", "too large"}},
       {in_material("roughness = 2"), {"6:13: ", "from 0 to 1"}},
+      {in_material("specular = 1.5"), {"6:12: ", "specular is 1.5, must be from 0 to 1"}},
+      {in_material("specular_color = [1, -1, 0]"), {"6:22: ", "at least 0"}},
+      {in_material("clearcoat = -0.5"), {"6:13: ", "clearcoat is -0.5, must be from 0 to 1"}},
+      {in_material("clearcoat_roughness = 2"), {"6:23: ", "from 0 to 1"}},
+      {in_material("sheen_color = [0, 0, 2]"), {"6:22: ", "from 0 to 1"}},
+      {in_material("sheen_roughness = -1"), {"6:19: ", "from 0 to 1"}},
+      {in_material("normal_scale = \"much\""), {"6:16: ", "must be a number"}},
+      {in_material("normal_scale = nan"), {"6:16: ", "finite"}},
+      {in_material("clearcote = 1"), {"6:1: ", "\"clearcoat\""}},
       {in_material("opacity = true"), {"6:11: ", "must be a number"}},
       {in_material("unlit = 1"), {"6:9: ", "true or false"}},
   });

@@ -263,7 +263,21 @@ TEST(Validate, MaterialsTexturesAndFunctions) {
   one([](Scene& s) { s.materials[0].attenuation_color.value.z = 2; }, "attenuation_color");
   one([](Scene& s) { s.materials[0].attenuation_distance.value = -1; }, "attenuation_distance");
   one([](Scene& s) { s.materials[0].base_color_texture.texture = 1; }, "texture 1 of 1");
-  one([](Scene& s) { s.materials[0].base_color_texture.uv_set = 2; }, "UV set 2");
+  one([](Scene& s) { s.materials[0].base_color_texture.uv_set = -1; }, "UV set -1");
+  one([](Scene& s) { s.materials[0].base_color_texture.transform.offset.y = INFINITY; },
+      "base_color_texture has a transform that is not finite");
+  one([](Scene& s) { s.materials[0].sheen_roughness_texture.texture = 1; },
+      "sheen_roughness_texture refers to texture 1 of 1");
+  one([](Scene& s) { s.materials[0].specular.value = 1.5F; },
+      "specular is 1.5, must be from 0 to 1");
+  one([](Scene& s) { s.materials[0].specular_color.value.x = -1; }, "must be at least 0");
+  one([](Scene& s) { s.materials[0].clearcoat.value = 2; }, "clearcoat is 2");
+  one([](Scene& s) { s.materials[0].clearcoat_roughness.value = -1; }, "clearcoat_roughness");
+  one([](Scene& s) { s.materials[0].clearcoat_normal_scale = NAN; }, "clearcoat_normal_scale");
+  one([](Scene& s) { s.materials[0].sheen_color.value.y = 2; }, "sheen_color");
+  one([](Scene& s) { s.materials[0].sheen_roughness.value = 2; }, "sheen_roughness");
+  one([](Scene& s) { s.materials[0].normal_scale.value = INFINITY; },
+      "normal_scale is inf, must be finite");
   one([](Scene& s) { s.textures[0].image = 1; }, "image 1 of 1");
   one([](Scene& s) { s.images[0].rgba.pop_back(); }, "3 bytes");
   one([](Scene& s) { s.images[0].width = 0; }, "0 x 1");

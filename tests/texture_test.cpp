@@ -131,8 +131,10 @@ TEST(DecodeImage, ReadsPngRowsFromTheTop) {
 }
 
 TEST(DecodeImage, RefusesWhatItMustNotDecode) {
-  EXPECT_EQ(fault_of("GIF89a......"), "x.png: image is neither PNG nor JPEG");
-  EXPECT_NE(fault_of("BM" + std::string(100, 'x')).find("neither PNG nor JPEG"), std::string::npos);
+  EXPECT_EQ(fault_of("GIF89a......"), "x.png: image is neither PNG nor JPEG but GIF");
+  EXPECT_EQ(fault_of("BM" + std::string(100, 'x')), "x.png: image is neither PNG nor JPEG but BMP");
+  EXPECT_EQ(fault_of("RIFF1234WEBPVP8 "), "x.png: image is neither PNG nor JPEG but WebP");
+  EXPECT_EQ(fault_of("nothing known"), "x.png: image is neither PNG nor JPEG");
   EXPECT_NE(fault_of("").find("neither PNG nor JPEG"), std::string::npos);
   EXPECT_NE(
       fault_of(test::png_header(16000, 16000)).find("16000 x 16000 pixels, the limit is 64000000"),

@@ -35,9 +35,10 @@ void throw_faults(const Scene& scene, const std::string& file) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-Scene loaded_scene(const std::string& file, const ImportLimits& limits) {
+Scene loaded_scene(const std::string& file, const ImportLimits& limits,
+                   const std::optional<std::string>& variant) {
   Warnings warnings;
-  Scene scene = load_scene(file, limits, warnings);
+  Scene scene = load_scene(file, limits, warnings, variant);
   for (const std::string& warning : warnings) report_warning(warning);
   throw_faults(scene, file);
   return scene;

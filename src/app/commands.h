@@ -8,7 +8,8 @@ namespace restframe {
 int run(const Options& options);
 
 // A scene or asset that can be rendered; its warnings are on standard error. Throws InputError with every fault.
-Scene loaded_scene(const std::string& file, const ImportLimits& limits);
+Scene loaded_scene(const std::string& file, const ImportLimits& limits,
+                   const std::optional<std::string>& variant = {});
 
 // Throws InputError with every fault that validate() finds, each with the file's name.
 void throw_faults(const Scene& scene, const std::string& file);

@@ -79,9 +79,10 @@ Vec3f mean_of(const Image& image, const Cover& columns, const Cover& rows) {
 
 Image loaded_preview(const std::filesystem::path& png, int width, int height) {
   const std::string content = file_content(png);
+  const std::vector<std::uint8_t> bytes(content.begin(), content.end());
   ImportLimits limits;
   limits.image_pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  Image image = decode_image({content.begin(), content.end()}, png.string(), limits);
+  Image image = decode_image(bytes, png.string(), limits);
   if (image.width != width || image.height != height) {
     throw InputError(
         fmt::format("{}: is {} x {} pixels, its picture {} x {}; --overwrite makes both "

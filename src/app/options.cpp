@@ -75,6 +75,8 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
   command->add_option("--samples", render.samples, "Samples a pixel")->check(CLI::Range(1, 65536));
   command->add_option("--threads", render.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 1024));
+  command->add_option("--variant", render.variant,
+                      "The look of this name that a glTF asset comes in (KHR_materials_variants)");
   command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
   command->add_option("--video", render.video,
                       "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");

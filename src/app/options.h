@@ -17,6 +17,7 @@ struct PictureRange {
 struct RenderOptions {
   std::string scene;
   std::optional<std::string> output;
+  std::optional<std::string> variant;  // of an asset that is rendered without a scene file
   std::optional<PictureRange> pictures;
   std::optional<int> width, height, samples;
   int threads = 0;  // 0: all cores

@@ -42,7 +42,7 @@ struct Job {
 };
 
 Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
-  Scene scene = loaded_scene(options.scene, limits);
+  Scene scene = loaded_scene(options.scene, limits, options.variant);
   apply(options, scene);
   const PictureRange range = range_of(options, scene.animation);
   Job job{std::move(scene), range};

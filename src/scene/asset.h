@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,12 +20,21 @@ struct Part {
   Mat4 asset_from_mesh{1};  // affine; may mirror
 };
 
+// A slot whose material depends on the variant of the asset that is shown.
+struct VariantSlot {
+  int material = 0;               // where the variant says nothing, and without one
+  std::map<int, int> by_variant;  // variant to material
+};
+
 // What an importer makes of a file, in the file's own units.
 struct Asset {
   std::string name;  // file name without its folder
   std::vector<Mesh> meshes;
-  std::vector<Part> parts;          // of all scenes, in the order of their nodes
-  std::vector<Material> materials;  // slots of the meshes' material ranges; at least one
+  std::vector<Part> parts;  // of all scenes, in the order of their nodes
+  // Slots of the meshes' material ranges; at least one. Slots beyond are `variant_slots`.
+  std::vector<Material> materials;
+  std::vector<std::string> variants;  // names of the looks that the asset comes in
+  std::vector<VariantSlot> variant_slots;
   std::vector<Texture> textures;
   std::vector<Image> images;
   AssetTree tree;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "scene/canonical_listing.h"
+#include "scene/material_properties.h"
 
 namespace restframe {
 namespace {
@@ -84,32 +85,39 @@ void add_color(Listing& list, const std::string& key, const TemporalColor& c) {
   list.add(key, fmt::format("{} function {}", text_of(c.value), c.function));
 }
 
+std::string text_of(const Vec2f& v) {
+  return fmt::format("{} {}", v.x, v.y);
+}
+
+std::string text_of(const TextureUse& use) {
+  const UvTransform& t = use.transform;
+  return fmt::format("{} uv {} transform {} {} {}", use.texture, use.uv_set, text_of(t.along_u),
+                     text_of(t.along_v), text_of(t.offset));
+}
+
 void add_material(Listing& list, const Material& m, const std::string& key) {
-  const auto number = [&](const char* name, const TemporalNumber& n) {
-    add_number(list, key + name, n);
-  };
-  const auto color = [&](const char* name, const TemporalColor& c) {
-    add_color(list, key + name, c);
-  };
   list.add(key + ".name", m.name);
-  color(".base_color", m.base_color);
-  number(".opacity", m.opacity);
-  number(".metallic", m.metallic);
-  number(".roughness", m.roughness);
-  color(".emission", m.emission);
-  number(".emission_strength", m.emission_strength);
-  number(".ior", m.ior);
-  number(".transmission", m.transmission);
-  color(".attenuation_color", m.attenuation_color);
-  number(".attenuation_distance", m.attenuation_distance);
-  std::string textures;
-  for (const TextureUse& use :
-       {m.base_color_texture, m.emission_texture, m.metallic_roughness_texture}) {
-    textures += fmt::format("{} uv {} ", use.texture, use.uv_set);
+  for (const NumberProperty& property : number_properties) {
+    add_number(list, fmt::format("{}.{}", key, property.name), m.*property.member);
   }
-  list.add(key + ".textures", textures);
-  list.add(key + ".flags", fmt::format("{} {} {} {}", static_cast<int>(m.alpha_mode),
-                                       m.alpha_cutoff, m.double_sided, m.unlit));
+  for (const ColorProperty& property : color_properties) {
+    add_color(list, fmt::format("{}.{}", key, property.name), m.*property.member);
+  }
+  for (const TextureProperty& property : texture_properties) {
+    const TextureUse& use = m.*property.member;
+    if (use.texture >= 0) list.add(fmt::format("{}.{}", key, property.name), text_of(use));
+  }
+  list.add(key + ".flags",
+           fmt::format("{} {} {} {} {}", static_cast<int>(m.alpha_mode), m.alpha_cutoff,
+                       m.double_sided, m.unlit, m.clearcoat_normal_scale));
+}
+
+// What the images show is told by the assets' files.
+void add_texture(Listing& list, const Texture& t, const std::string& key) {
+  list.add(key, fmt::format("image {} {} wrap {} {} filter {} {} {}", t.image,
+                            t.srgb ? "srgb" : "linear", static_cast<int>(t.wrap_u),
+                            static_cast<int>(t.wrap_v), static_cast<int>(t.filter),
+                            static_cast<int>(t.shrunken_filter), static_cast<int>(t.mip_filter)));
 }
 
 void add_object(Listing& list, const Object& object, const std::string& key) {
@@ -184,6 +192,9 @@ std::string canonical_settings(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     add_material(list, scene.materials[i], fmt::format("material.{}", i));
+  }
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    add_texture(list, scene.textures[i], fmt::format("texture.{}", i));
   }
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     list.add(fmt::format("function.{}", i), text_of(scene.functions[i]));

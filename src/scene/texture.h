@@ -10,6 +10,8 @@ namespace restframe {
 
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp };
 enum class TextureFilter : std::uint8_t { linear, nearest };
+// Between the two mipmap levels that fit best, from the better one, or none but the image itself.
+enum class MipFilter : std::uint8_t { linear, nearest, none };
 
 // Decoded pixels, 8 bits a channel, RGBA, row 0 at the top (where glTF's v = 0 is).
 struct Image {
@@ -25,7 +27,10 @@ struct Texture {
   int image = 0;  // index into the images of the same asset or scene
   bool srgb = true;
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-  TextureFilter filter = TextureFilter::linear;
+  TextureFilter filter = TextureFilter::linear;  // where a texel covers a pixel or more
+  // Where it covers less. Kept, but sampling uses `filter` everywhere.
+  TextureFilter shrunken_filter = TextureFilter::linear;
+  MipFilter mip_filter = MipFilter::linear;
 };
 
 // Linear RGBA at `uv`, u to the right and v downwards from the top left corner, as in glTF.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/material_properties.h"
+
 namespace restframe {
 namespace {
 
@@ -45,6 +47,7 @@ std::string text_of(const Allowed& allowed) {
   if (allowed.high < std::numeric_limits<float>::max()) {
     return fmt::format("from {} to {}", allowed.low, allowed.high);
   }
+  if (allowed.low <= -std::numeric_limits<float>::max()) return "finite";
   return fmt::format("at least {} and finite", allowed.low);
 }
 
@@ -54,8 +57,13 @@ void check_texture(const Scene& scene, const TextureUse& use, const std::string&
     faults.push_back(
         fmt::format("{} refers to texture {} of {}", what, use.texture, scene.textures.size()));
   }
-  if (use.uv_set != 0 && use.uv_set != 1) {
-    faults.push_back(fmt::format("{} uses UV set {}, must be 0 or 1", what, use.uv_set));
+  if (use.uv_set < 0) {
+    faults.push_back(fmt::format("{} uses UV set {}, must be 0 or more", what, use.uv_set));
+  }
+  for (const Vec2f& v : {use.transform.along_u, use.transform.along_v, use.transform.offset}) {
+    if (std::isfinite(v.x) && std::isfinite(v.y)) continue;
+    faults.push_back(what + " has a transform that is not finite");
+    break;
   }
 }
 
@@ -108,21 +116,19 @@ void validate_mesh(const Mesh& mesh, Faults& faults) {
 void validate_materials(const Scene& scene, Faults& faults) {
   for (const Material& material : scene.materials) {
     const std::string name = fmt::format("material \"{}\": ", material.name);
-    validate_color(scene, material.base_color, name + "base_color", faults);
-    validate_color(scene, material.emission, name + "emission", faults);
-    validate_number(scene, material.opacity, name + "opacity", faults);
-    validate_number(scene, material.metallic, name + "metallic", faults);
-    validate_number(scene, material.roughness, name + "roughness", faults);
-    validate_number(scene, material.emission_strength, name + "emission_strength", faults);
-    validate_number(scene, material.ior, name + "ior", faults, {1, Allowed().high});
-    validate_number(scene, material.transmission, name + "transmission", faults, {0, 1});
-    validate_color(scene, material.attenuation_color, name + "attenuation_color", faults, {0, 1});
-    validate_number(scene, material.attenuation_distance, name + "attenuation_distance", faults);
-    check_texture(scene, material.base_color_texture, name + "base_color", faults);
-    check_texture(scene, material.metallic_roughness_texture, name + "roughness", faults);
-    check_texture(scene, material.emission_texture, name + "emission", faults);
+    for (const NumberProperty& p : number_properties) {
+      validate_number(scene, material.*p.member, name + p.name, faults, {p.low, p.high});
+    }
+    for (const ColorProperty& p : color_properties) {
+      validate_color(scene, material.*p.member, name + p.name, faults, {0, p.high});
+    }
+    for (const TextureProperty& p : texture_properties) {
+      check_texture(scene, material.*p.member, name + p.name, faults);
+    }
     if (!std::isfinite(material.alpha_cutoff))
       faults.push_back(name + "alpha_cutoff is not finite");
+    if (!std::isfinite(material.clearcoat_normal_scale))
+      faults.push_back(name + "clearcoat_normal_scale is not finite");
   }
 }
 

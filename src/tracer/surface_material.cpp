@@ -6,8 +6,8 @@ Vec4f texel(const MetSurface& met, const TextureUse& use) {
   if (use.texture < 0) return Vec4f(1);
   const Texture& texture = met.scene.textures[static_cast<std::size_t>(use.texture)];
   const Image& image = met.scene.images[static_cast<std::size_t>(texture.image)];
-  return sample_texture(texture, image,
-                        uv_at(met.scene, met.frames, met.hits, met.lane, use.uv_set));
+  const Vec2f uv = uv_at(met.scene, met.frames, met.hits, met.lane, use.uv_set);
+  return sample_texture(texture, image, use.transform(uv));
 }
 
 float opacity(const MetSurface& met, float texture_alpha, double clock,

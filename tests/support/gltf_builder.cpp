@@ -3,34 +3,6 @@
 namespace restframe::test {
 namespace {
 
-std::string big_endian(std::uint32_t value) {
-  std::string bytes = little_endian(value);
-  return {bytes.rbegin(), bytes.rend()};
-}
-
-std::uint32_t crc32(const std::string& bytes) {
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const char c : bytes) {
-    crc ^= static_cast<unsigned char>(c);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
-  }
-  return ~crc;
-}
-
-std::uint32_t adler32(const std::string& bytes) {
-  std::uint32_t a = 1, b = 0;
-  for (const char c : bytes) {
-    a = (a + static_cast<unsigned char>(c)) % 65521;
-    b = (b + a) % 65521;
-  }
-  return b << 16 | a;
-}
-
-std::string png_chunk(const std::string& type, const std::string& content) {
-  return big_endian(static_cast<std::uint32_t>(content.size())) + type + content +
-         big_endian(crc32(type + content));
-}
-
 int components_of(const std::string& type) {
   if (type == "SCALAR") return 1;
   const int n = type[3] - '0';
@@ -122,26 +94,6 @@ std::string base64(const std::string& bytes) {
     }
   }
   return text;
-}
-
-std::string png_header(std::uint32_t width, std::uint32_t height) {
-  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", big_endian(width) + big_endian(height) +
-                                                     std::string("\x08\x06\0\0\0", 5));
-}
-
-std::string png(int width, int height, const std::string& rgba) {
-  std::string rows;
-  const auto row_size = static_cast<std::size_t>(4 * width);
-  for (int row = 0; row < height; ++row) {
-    rows += '\0' + rgba.substr(static_cast<std::size_t>(row) * row_size, row_size);
-  }
-  // One stored block: deflate without compression holds up to 65535 bytes.
-  const auto size = static_cast<std::uint32_t>(rows.size());
-  const std::string lengths = little_endian(size | (~size << 16));
-  const std::string zlib =
-      std::string("\x78\x01\x01", 3) + lengths + rows + big_endian(adler32(rows));
-  return png_header(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)) +
-         png_chunk("IDAT", zlib) + png_chunk("IEND", "");
 }
 
 }  // namespace restframe::test

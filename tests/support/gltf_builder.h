@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "support/image_files.h"
+
 namespace restframe::test {
 
 // The document and its one buffer. `json` may be changed freely before it is written.
@@ -61,11 +63,5 @@ std::string chunk(const std::string& type, const std::string& content);
 std::string little_endian(std::uint32_t value);
 
 std::string base64(const std::string& bytes);
-
-// A PNG of 8-bit RGBA pixels, 4 bytes each, row after row from the top.
-std::string png(int width, int height, const std::string& rgba);
-
-// A PNG that claims these sizes and holds nothing.
-std::string png_header(std::uint32_t width, std::uint32_t height);
 
 }  // namespace restframe::test
