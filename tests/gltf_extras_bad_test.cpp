@@ -91,8 +91,8 @@ TEST_F(BadExtras, Materials) {
       "/base_color/intervals/0: material \"paint\": base_color: the interval [0, 2) leaves the "
       "period from 0 to 1");
   EXPECT_EQ(of_paint("[opacity]\nformula = '1+'"),
-            ":2:11: material \"paint\": opacity: formula \"1+\" can not be used: unexpected end of "
-            "expression at 2");
+            ":2:11: material \"paint\": opacity: formula \"1+\" can not be used: Unexpected end of "
+            "expression at position 3");
 }
 
 TEST_F(BadExtras, FilesOfAStrangerLieBesideIt) {
