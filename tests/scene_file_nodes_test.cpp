@@ -150,7 +150,8 @@ TEST_F(SceneFileNodes, BadNamesNameTheNearest) {
             "4:11: object \"a\": no node of the asset is called \"lamps*\", the nearest is "
             "\"lamp\"");
   EXPECT_EQ(fault("node = []"), "4:8: object \"a\": node is an empty list, name at least one node");
-  EXPECT_EQ(fault("node = 3"), "4:8: object \"a\": node is a whole number, must be a text");
+  EXPECT_EQ(fault("node = 3"),
+            "4:8: object \"a\": node is a whole number, must be a text in quotes");
   EXPECT_EQ(fault("scene = \"nigth\""),
             "4:9: object \"a\": the asset has no scene \"nigth\", the nearest is \"night\"");
   EXPECT_EQ(fault("scene = 2"), "4:9: object \"a\": scene is 2, must be from 0 to 1");
