@@ -26,7 +26,7 @@ double number_in(const ConfigValue& value) {
 
 const char* kind_name(const ConfigValue& value) {
   static constexpr const char* names[] = {"true or false",  "a whole number", "a number", "a text",
-                                          "a date or time", "an array",       "a table", "null"};
+                                          "a date or time", "an array",       "a table",  "null"};
   return names[value.data.index()];
 }
 

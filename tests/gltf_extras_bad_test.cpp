@@ -58,6 +58,18 @@ TEST_F(BadExtras, Nodes) {
               HasSubstr("1:8: node \"tram\": time is nan, must be a finite"));
 }
 
+TEST_F(BadExtras, HugeOnes) {
+  EXPECT_EQ(fault("/nodes/1", "#" + std::string(4'000'000, 'x')),
+            ": more than 4000000 characters of TOML in all");
+  const std::string key(100'000, 'k');
+  const std::string line = fault("/nodes/1", {{key, 1}});
+  EXPECT_EQ(line.rfind("/" + key.substr(0, 80) + "...: node \"tram\": unknown key \"" +
+                           key.substr(0, 80) + "...\", the nearest known one is",
+                       0),
+            0U)
+      << line.substr(0, 400);
+}
+
 TEST_F(BadExtras, VelocityTwiceInASpelling) {
   GltfBuilder builder = street();
   say(builder, "/nodes/1", "gamma = 2\nvelocity = [0, 0, 0.5]\ndirection = [0, 0, 1]");
