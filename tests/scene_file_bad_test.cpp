@@ -90,7 +90,6 @@ TEST_F(BadScene, WhatThisVersionDoesNotDo) {
       {in_section("render", "doppler = true"), {"2:1: " + none("doppler")}},
       {in_section("output", "split = true"), {"2:1: " + none("split")}},
       {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},
-      {in_object("node = \"tram*\""), {"4:1: " + none("node")}},
       {in_material("specular = 0.5"), {"6:1: " + none("specular")}},
       {in_material("clearcoat = 1"), {"6:1: " + none("clearcoat")}},
   });
