@@ -11,6 +11,8 @@
 namespace restframe {
 namespace {
 
+constexpr std::size_t most_toml = 4'000'000;  // characters of all strings of an asset
+
 Reporter node_reporter(const AssetTree& tree, int node, SceneFile& file) {
   return {file.faults, fmt::format("node \"{}\"", node_name(tree, node))};
 }
@@ -100,8 +102,15 @@ AssetAuthoring read_asset_extras(SceneAsset& asset, const std::filesystem::path&
   AssetAuthoring said;
   said.path = path;
   const std::optional<Path> before = std::exchange(file.asset_being_read, path);
+  std::size_t toml = 0;
   for (const AssetExtras& extras : asset.tree.extras) {
     const int place = file.faults.add_place(path.string() + ":" + extras.place);
+    if (extras.text.starts_with('"')) toml += extras.text.size();
+    if (toml > most_toml) {
+      file.faults.add({0, 0, place},
+                      fmt::format("more than {} characters of TOML in all", most_toml));
+      break;
+    }
     std::optional<ConfigTable> table = parse_json_or_toml(extras.text, place, file.faults);
     if (table) read_one(extras, std::move(*table), asset, file, said);
   }

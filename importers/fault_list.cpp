@@ -11,14 +11,16 @@ namespace restframe {
 
 namespace {
 
-// A key as a JSON pointer spells it.
+// A key as a JSON pointer spells it; cut if it is longer than any that means something.
 std::string escaped(const std::string& key) {
+  constexpr std::size_t longest = 80;
   std::string text;
-  for (const char c : key) {
+  for (const char c : key.substr(0, longest)) {
     if (c == '~') text += "~0";
     if (c == '/') text += "~1";
     if (c != '~' && c != '/') text += c;
   }
+  if (key.size() > longest) text += "...";
   return text;
 }
 

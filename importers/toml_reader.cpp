@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/message.h"
 #include "scene/suggest.h"
 
 namespace restframe {
@@ -126,8 +127,8 @@ void TableReader::finish() {
     if (report.faults.is_full()) return;
     if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
     report(entry.key_at,
-           fmt::format("unknown key \"{}\", the nearest known one is \"{}\" (known here: {})",
-                       entry.key, nearest(entry.key, known_), fmt::join(known_, ", ")));
+           fmt::format("unknown key {}, the nearest known one is \"{}\" (known here: {})",
+                       quote(entry.key), nearest(entry.key, known_), fmt::join(known_, ", ")));
   }
 }
 

@@ -1,5 +1,6 @@
 // Faults in what an asset says to restframe: every one with its place and the words that help.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "support/authored_asset.h"
@@ -15,6 +16,7 @@ using test::street_lamp;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 class BadExtras : public test::AuthoredAsset {
  protected:
@@ -58,6 +60,17 @@ TEST_F(BadExtras, Nodes) {
               HasSubstr("1:8: node \"tram\": time is nan, must be a finite"));
 }
 
+TEST_F(BadExtras, HugeOnes) {
+  EXPECT_EQ(fault("/nodes/1", fmt::format("#{:x>4000000}", "")),
+            ": more than 4000000 characters of TOML in all");
+  const std::string key(100'000, 'k'), shown = key.substr(0, 80);
+  EXPECT_THAT(
+      fault("/nodes/1", {{key, 1}}),
+      StartsWith(fmt::format("/{}...: node \"tram\": unknown key \"{}...\", the nearest known "
+                             "one is",
+                             shown, shown)));
+}
+
 TEST_F(BadExtras, VelocityTwiceInASpelling) {
   GltfBuilder builder = street();
   say(builder, "/nodes/1", "gamma = 2\nvelocity = [0, 0, 0.5]\ndirection = [0, 0, 1]");
@@ -91,8 +104,8 @@ TEST_F(BadExtras, Materials) {
       "/base_color/intervals/0: material \"paint\": base_color: the interval [0, 2) leaves the "
       "period from 0 to 1");
   EXPECT_EQ(of_paint("[opacity]\nformula = '1+'"),
-            ":2:11: material \"paint\": opacity: formula \"1+\" can not be used: unexpected end of "
-            "expression at 2");
+            ":2:11: material \"paint\": opacity: formula \"1+\" can not be used: Unexpected end of "
+            "expression at position 3");
 }
 
 TEST_F(BadExtras, FilesOfAStrangerLieBesideIt) {
