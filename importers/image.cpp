@@ -6,7 +6,9 @@
 #include <cstring>
 
 #include "importers/importers.h"
+#include "importers/jpeg_check.h"
 #include "scene/error.h"
+#include "scene/message.h"
 
 namespace {
 
@@ -41,6 +43,11 @@ bool begins_with(const std::vector<std::uint8_t>& bytes, const char* signature,
   return bytes.size() >= length && std::memcmp(bytes.data(), signature, length) == 0;
 }
 
+// stb_image quotes the bytes of an unknown chunk's name.
+[[noreturn]] void fail_to_decode(const std::string& what) {
+  throw InputError(on_one_line(what + ": image can not be decoded: " + stbi_failure_reason()));
+}
+
 }  // namespace
 
 Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& what,
@@ -52,11 +59,14 @@ Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& wh
     throw InputError(what + ": image file of " + std::to_string(bytes.size()) +
                      " bytes, the limit is " + std::to_string(INT_MAX));
   }
+  if (bytes[0] == 0xFF && !has_sound_huffman_tables(bytes)) {
+    throw InputError(what + ": image can not be decoded: a Huffman table of more than 256 codes");
+  }
   const auto size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   largest_allocation = std::size_t{1} << 20;
   if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
-    throw InputError(what + ": image can not be decoded: " + stbi_failure_reason());
+    fail_to_decode(what);
   }
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (pixels > limits.image_pixels) {
@@ -68,7 +78,7 @@ Image decode_image(const std::vector<std::uint8_t>& bytes, const std::string& wh
   largest_allocation = 20 * (pixels + static_cast<std::size_t>(height)) + bytes.size() + (1 << 20);
   stbi_uc* rgba = stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4);
   if (rgba == nullptr) {
-    throw InputError(what + ": image can not be decoded: " + stbi_failure_reason());
+    fail_to_decode(what);
   }
   Image image;
   image.width = width;

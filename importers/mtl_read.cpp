@@ -24,7 +24,8 @@ class MtlRewriter {
     while (file_.next_line(line)) add_line(line);
     if (!unused_.empty()) {
       const std::string list = fmt::format("{}", fmt::join(unused_, ", "));
-      warnings_.push_back(fmt::format("{}: not used: {}", file_.path().string(), list));
+      warnings_.push_back(
+          on_one_line(fmt::format("{}: not used: {}", file_.path().string(), list)));
     }
     return std::move(text_);
   }

@@ -56,7 +56,7 @@ run_target() {
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   printf '%-10s %9s executions in %s s\n' "$target" "${executions:-0}" "$seconds"
   if [ $status -ne 0 ]; then
-    grep -E 'ERROR|SUMMARY|runtime error|what\(\)|Test unit written' "$log"
+    grep -aE 'ERROR|SUMMARY|runtime error|what\(\)|Test unit written' "$log"
     echo "FAILED: $target, see $log"
   fi
   [ -z "$record" ] || echo "$target,$seconds,${executions:-0}" >>$table

@@ -10,7 +10,7 @@ packages_build=(
 )
 packages_test=(libgtest-dev libgmock-dev assimp-testmodels)
 packages_bench=(libbenchmark-dev)
-packages_ci=(clang clang-format clang-tidy libclang-rt-14-dev shellcheck)
+packages_ci=(clang clang-format clang-tidy libclang-rt-14-dev lld shellcheck)
 
 missing_packages() {
   local package
