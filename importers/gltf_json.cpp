@@ -69,7 +69,8 @@ class Builder : public nlohmann::json_sax<Json> {
   bool start(Json container) {
     if (open_.size() + skipped_depth_ >= static_cast<std::size_t>(context_.limits.json_depth)) {
       context_.fault(pointer(), "nested deeper than the limit of " +
-                                    std::to_string(context_.limits.json_depth));
+                                    std::to_string(context_.limits.json_depth) +
+                                    "; --max-json-depth raises it");
     }
     if (skipped_depth_ > 0 || skip_next_) {
       skip_next_ = false;
