@@ -67,6 +67,16 @@ TEST_F(HostileLimits, AreWholeNumbers) {
   EXPECT_EQ(run({"check", "a.glb", "--max-json-depth=1001"}).exit_code, 2);
 }
 
+TEST_F(HostileLimits, AHundredWarningsAreEnough) {
+  test::GltfBuilder builder = test::one_triangle();
+  for (int i = 0; i < 300; ++i) builder.json["meshes"].push_back(builder.json["meshes"][0]);
+  folder.write("many.glb", builder.glb());
+  const RunResult result = run({"check", "many.glb"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 101);
+  EXPECT_THAT(result.error, ::testing::HasSubstr("and 200 warnings more"));
+}
+
 TEST_F(HostileLimits, AreInTheHelp) {
   const RunResult help = run({"render", "--help"});
   for (const char* text :
