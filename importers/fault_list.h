@@ -8,12 +8,13 @@
 
 namespace restframe {
 
-// Collects the faults of one file, so that a user sees all at once: the first thousand, since a
-// file of megabytes may have nothing else.
+// Collects the faults of one file, so that a user sees all at once. A file of megabytes may have
+// nothing else, so whoever adds the thousandth gets them thrown.
 class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}
 
+  // Throws InputError with every fault once there are a thousand.
   void add(TextPosition at, const std::string& what);
 
   // Those of another file that is named at `at`; they have positions of their own.
@@ -32,7 +33,7 @@ class FaultList {
     TextPosition at;
     std::string line;
   };
-  bool is_full() const { return faults_.size() >= 1000; }
+  void add_line(TextPosition at, std::string line);
 
   std::string file_;
   std::vector<Fault> faults_;

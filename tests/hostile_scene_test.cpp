@@ -134,6 +134,23 @@ TEST_F(HostileScene, WorkIsBoundedBeforeItStarts) {
                  {"--max-triangles", "1000"});
 }
 
+// Each of these lines has a fault whose message looks for the nearest of many words.
+TEST_F(HostileScene, MegabytesOfFaults) {
+  std::string keys = "[camera]\n", intervals;
+  for (int i = 0; i < 100'000; ++i) {
+    keys += fmt::format("{}{} = 1\n", std::string(90, 'k'), i);
+    intervals += "% interval 0 1 " + std::string(90, 'c') + "\n";
+  }
+  folder.write("s.toml", keys);
+  expect_refused("s.toml", "1:1: ", "999 more");
+  folder.write("f.txt", intervals);
+  folder.write("s.toml", ball + "[[material]]\nname = \"ball\"\nbase_color = {file = \"f.txt\"}\n");
+  const RunResult result = render("s.toml");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.error, ::testing::HasSubstr("f.txt:1:16: "));
+  EXPECT_THAT(result.error, ::testing::HasSubstr("999 more"));
+}
+
 TEST_F(HostileScene, OptionsInPlaceOfTheScene) {
   folder.write("s.toml", ball);
   const std::vector<std::vector<std::string>> bad = {

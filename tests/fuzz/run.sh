@@ -39,6 +39,17 @@ seeds_of() {
   esac
 }
 
+# Longer inputs take longer and say no more.
+longest_of() {
+  case $1 in
+    formula) echo 300 ;;
+    intervals | csv) echo 1000 ;;
+    mtl | off | ply | stl) echo 2000 ;;
+    obj | scene) echo 5000 ;;
+    *) echo 10000 ;;
+  esac
+}
+
 # Seeds are copied flat, under names that folders can not make equal.
 copy_seeds() {
   local file
@@ -50,7 +61,7 @@ run_target() {
   local target=$1 log=$work/$1.log executions
   copy_seeds "$target"
   "$fuzzer" --target="$target" -max_total_time="$seconds" -timeout=5 -rss_limit_mb=2500 -malloc_limit_mb=500 \
-    -max_len=30000 -seed=1 -print_final_stats=1 -dict="tests/fuzz/dictionaries/$target.dict" \
+    -max_len="$(longest_of "$target")" -seed=1 -print_final_stats=1 -dict="tests/fuzz/dictionaries/$target.dict" \
     -artifact_prefix="$work/$target-" "$work/$target" "$work/seeds/$target" >"$log" 2>&1
   local status=$?
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
