@@ -57,13 +57,13 @@ Vec3 color_at(const ExrPicture& picture, int x, int y) {
 // twice as fast for the one that comes at 0.6c, half as fast for the one that goes.
 TEST(GradualColor, IsThatOfEachClock) {
   const ExrPicture picture =
-      shown("gradual_color", with_places(scene_text("gradual_color")), {"320x160", 16, 1})[0];
+      shown("gradual_color", with_places(scene_text("gradual_color")), {"480x240", 16, 1})[0];
   const double rows[] = {2.5, 1.6, 0.7, -0.7, -1.6, -2.5};
   const double betas[] = {0.6, 0, -0.6, 0.6, 0, -0.6};
   reference::ObserverCamera camera;
   camera.vertical_fov = 0.974 * pi / 180;
-  camera.width = 320;
-  camera.height = 160;
+  camera.width = 480;
+  camera.height = 240;
   for (int exposure = 0; exposure < 17; ++exposure) {
     const double time = 0.25 * exposure;
     const double yaw = std::atan(0.015) * (1 - time / 2);

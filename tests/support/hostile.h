@@ -64,7 +64,7 @@ class Hostile : public ::testing::Test {
     SCOPED_TRACE(file);
     const RunResult result = render(file, {"--overwrite"});
     EXPECT_EQ(result.exit_code, 0) << result.error;
-    if (warning.empty()) EXPECT_EQ(result.error, "");
+    EXPECT_EQ(result.error.empty(), warning.empty()) << result.error;
     EXPECT_THAT(result.error, ::testing::HasSubstr(warning));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/0.exr"));
     std::filesystem::remove_all(folder.path() / "out");
