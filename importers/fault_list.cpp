@@ -47,7 +47,7 @@ std::string FaultList::place_text(int place) const {
 }
 
 void FaultList::add(TextPosition at, const std::string& what) {
-  if (!is_full()) faults_.push_back({at, located(at, what)});
+  add_line(at, located(at, what));
 }
 
 std::string FaultList::located(TextPosition at, const std::string& what) const {
@@ -57,9 +57,13 @@ std::string FaultList::located(TextPosition at, const std::string& what) const {
 }
 
 void FaultList::add(TextPosition at, const InputError& error) {
-  for (const std::string& fault : error.faults()) {
-    if (!is_full()) faults_.push_back({at, on_one_line(fault)});
-  }
+  for (const std::string& fault : error.faults()) add_line(at, on_one_line(fault));
+}
+
+void FaultList::add_line(TextPosition at, std::string line) {
+  constexpr std::size_t most = 1000;
+  if (faults_.size() < most) faults_.push_back({at, std::move(line)});
+  if (faults_.size() >= most) throw_any();
 }
 
 void FaultList::throw_any() const {

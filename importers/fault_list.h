@@ -8,8 +8,8 @@
 
 namespace restframe {
 
-// Collects the faults of one file and of what it is made of, so that a user sees all at once: the
-// first thousand, since a file of megabytes may have nothing else.
+// Collects the faults of one file and of what it is made of, so that a user sees all at once. A file
+// of megabytes may have nothing else, so whoever adds the thousandth gets them thrown.
 class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}
@@ -21,6 +21,7 @@ class FaultList {
   std::size_t places() const { return places_.size(); }
   std::string place_text(int place) const;
 
+  // Throws InputError with every fault once there are a thousand.
   void add(TextPosition at, const std::string& what);
 
   // Those of another file that is named at `at`; they have positions of their own.
@@ -44,6 +45,7 @@ class FaultList {
     int parent;  // 0: none
     std::string step;
   };
+  void add_line(TextPosition at, std::string line);
 
   std::string file_;
   std::vector<Place> places_;  // number 1 is the first

@@ -69,7 +69,8 @@ class Builder : public nlohmann::json_sax<Json> {
   bool start(Json container) {
     if (open_.size() + skipped_depth_ >= static_cast<std::size_t>(context_.limits.json_depth)) {
       context_.fault(pointer(), "nested deeper than the limit of " +
-                                    std::to_string(context_.limits.json_depth));
+                                    std::to_string(context_.limits.json_depth) +
+                                    "; --max-json-depth raises it");
     }
     const bool enters_extras = skip_next_ && key_ == "extras" && may_keep_extras() &&
                                skipped_depth_ == 0 && container.is_object();

@@ -1,8 +1,8 @@
 #pragma once
 
 // The scene file, read section by section (design, section 5). Sections add to one SceneFile;
-// lengths are divided by the scene's light_speed on the way in. Nothing throws but for memory:
-// faults are collected.
+// lengths are divided by the scene's light_speed on the way in. Nothing throws but for memory
+// and for too many faults: they are collected.
 
 #include <map>
 #include <optional>

@@ -19,21 +19,28 @@ void warn_of_scene(const AssetAuthoring& said, SceneFile& file) {
       said.scene->at, "is left out: the scene file says it, which names this asset"));
 }
 
+bool within_limit(std::size_t triangles, const SceneFile& file, TextPosition at,
+                  const Reporter& report) {
+  if (triangles <= file.limits.triangles) return true;
+  report(at, fmt::format("the scene has {} triangles up to here, must have at most {}", triangles,
+                         file.limits.triangles));
+  return false;
+}
+
 // Adds what `load` returns, unless the scene has it under `key` already; its file, if it has one,
-// lies at `path`. Faults are reported at `at`.
+// lies at `path`. Faults are reported at `at`. Nothing is loaded that is known to have too many
+// triangles: `expected` of them at least.
 template <class Load>
 std::optional<int> shared_asset(SceneFile& file, TextPosition at, const std::string& key,
-                                const Path& path, const Reporter& report, const Load& load) {
+                                const Path& path, const Reporter& report, std::size_t expected,
+                                const Load& load) {
   const auto known = file.asset_of_key.find(key);
   if (known != file.asset_of_key.end()) return known->second;
+  if (!within_limit(file.triangles + expected, file, at, report)) return std::nullopt;
   try {
     Asset asset = load();
     file.triangles += stored_triangles(asset.meshes);
-    if (file.triangles > file.limits.triangles) {
-      report(at, fmt::format("the scene has {} triangles up to here, must have at most {}",
-                             file.triangles, file.limits.triangles));
-      return std::nullopt;
-    }
+    if (!within_limit(file.triangles, file, at, report)) return std::nullopt;
     add_scene_asset(std::move(asset), path, file);
     warn_of_scene(file.authoring.back(), file);
   } catch (const InputError& error) {
@@ -54,7 +61,7 @@ std::optional<int> read_asset_file(TableReader& object, SceneFile& file) {
   }
   std::error_code ignored;
   const Path canonical = std::filesystem::weakly_canonical(path, ignored);
-  return shared_asset(file, at, "file " + canonical.string(), path, object.report, [&] {
+  return shared_asset(file, at, "file " + canonical.string(), path, object.report, 0, [&] {
     Asset asset = load_asset(path, file.limits, file.warnings);
     add_asset_sources(file.scene, *name, path, asset);
     return asset;
@@ -98,15 +105,18 @@ std::optional<int> read_lattice(TableReader& object, SceneFile& file) {
   const bool flat = reader.choice("instances", {"nodes", "none"}).value_or(0) == 1;
   reader.finish();
   if (!accepted(lattice_faults(settings, flat), table->at, reader.report)) return std::nullopt;
-  if (flat && lattice_triangles(settings) > file.limits.triangles) {
-    reader.report(table->at, fmt::format("{} triangles, must have at most {}",
-                                         lattice_triangles(settings), file.limits.triangles));
+  if (const auto parts = lattice_parts(settings); !flat && parts > file.limits.nodes) {
+    reader.report(table->at,
+                  fmt::format("{} balls and rods, the limit is {}; --max-nodes raises it", parts,
+                              file.limits.nodes));
     return std::nullopt;
   }
+  const std::size_t expected =
+      flat ? lattice_triangles(settings) : ball_triangles(settings.fineness);
   const std::string key = fmt::format(
       "lattice {} {} {} {} {} {} {} {}", settings.cells_x, settings.cells_y, settings.cells_z,
       settings.pitch, settings.ball_radius, settings.rod_radius, settings.fineness, flat);
-  return shared_asset(file, table->at, key, {}, reader.report,
+  return shared_asset(file, table->at, key, {}, reader.report, expected,
                       [&] { return make_lattice(settings, flat); });
 }
 
@@ -120,7 +130,7 @@ std::optional<int> read_sphere(TableReader& object, SceneFile& file) {
   reader.finish();
   if (!accepted(ball_faults(settings), table->at, reader.report)) return std::nullopt;
   const std::string key = fmt::format("sphere {} {}", settings.radius, settings.fineness);
-  return shared_asset(file, table->at, key, {}, reader.report,
+  return shared_asset(file, table->at, key, {}, reader.report, ball_triangles(settings.fineness),
                       [&] { return make_sphere_asset(settings); });
 }
 

@@ -11,7 +11,7 @@ namespace {
 using reference::angle_outside;
 using reference::Outline;
 
-constexpr int kFineness = 6;
+constexpr int kFineness = 5;
 constexpr double kStart = 1.25;
 
 struct Motion {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/messages.h"
 #include "scene/error.h"
 
@@ -35,11 +37,24 @@ void throw_faults(const Scene& scene, const std::string& file) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
+namespace {
+
+// The first ones: a file of megabytes may ask for a warning in every line.
+void report_warnings(const Warnings& warnings) {
+  constexpr std::size_t most = 100;
+  for (std::size_t i = 0; i < std::min(warnings.size(), most); ++i) report_warning(warnings[i]);
+  if (warnings.size() > most) {
+    report_warning(fmt::format("and {} warnings more", warnings.size() - most));
+  }
+}
+
+}  // namespace
+
 Scene loaded_scene(const std::string& file, const ImportLimits& limits,
                    const std::optional<std::string>& variant) {
   Warnings warnings;
   Scene scene = load_scene(file, limits, warnings, variant);
-  for (const std::string& warning : warnings) report_warning(warning);
+  report_warnings(warnings);
   throw_faults(scene, file);
   return scene;
 }

@@ -51,13 +51,18 @@ void check_first_word(const CLI::App& app, int argc, char** argv) {
 }
 
 void add_limits(CLI::App& command, ImportLimits& limits) {
-  const char* group = "Limits on what files may ask for";
-  command.add_option("--max-json-bytes", limits.json_bytes, "JSON of a glTF file")->group(group);
-  command.add_option("--max-json-depth", limits.json_depth, "Levels of JSON")->group(group);
-  command.add_option("--max-nodes", limits.nodes, "Nodes and instances")->group(group);
-  command.add_option("--max-triangles", limits.triangles, "Stored triangles")->group(group);
-  command.add_option("--max-image-pixels", limits.image_pixels, "Pixels of an image")->group(group);
-  command.add_option("--max-bytes", limits.total_bytes, "All of an asset's files")->group(group);
+  const auto add = [&](const char* name, auto& limit, const char* what) {
+    return command.add_option(name, limit, what)
+        ->group("Limits on what files may ask for")
+        ->capture_default_str();
+  };
+  constexpr int deepest = 1000;  // what reads JSON calls itself, level by level
+  add("--max-json-bytes", limits.json_bytes, "JSON of a glTF file");
+  add("--max-json-depth", limits.json_depth, "Levels of JSON")->check(CLI::Range(1, deepest));
+  add("--max-nodes", limits.nodes, "Nodes and instances");
+  add("--max-triangles", limits.triangles, "Stored triangles");
+  add("--max-image-pixels", limits.image_pixels, "Pixels of an image");
+  add("--max-bytes", limits.total_bytes, "All of an asset's files");
 }
 
 struct Texts {

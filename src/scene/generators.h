@@ -39,6 +39,9 @@ Asset make_sphere_asset(const BallSettings& settings);
 // Every reason why the settings make no ball ("radius 0 is not positive"), without a position.
 std::vector<std::string> ball_faults(const BallSettings& settings);
 
+// 20 * 4^fineness
+std::uint64_t ball_triangles(int fineness);
+
 // Named "rod": an open tube along +Z from z = 0 to `length`, without caps.
 Mesh make_rod(double radius, double length, int sides);
 

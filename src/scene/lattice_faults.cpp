@@ -97,10 +97,14 @@ std::uint64_t lattice_parts(const LatticeSettings& settings) {
   return plus(count_of(cells_of(settings)), rods_of(settings));
 }
 
+std::uint64_t ball_triangles(int fineness) {
+  return 20ULL << (2 * std::clamp(fineness, 0, 29));
+}
+
 std::uint64_t lattice_triangles(const LatticeSettings& settings) {
-  const std::uint64_t ball = 20ULL << (2 * std::clamp(settings.fineness, 0, 29));
   const auto rod = 2 * static_cast<std::uint64_t>(std::max(settings.rod_sides, 0));
-  return plus(times(count_of(cells_of(settings)), ball), times(rods_of(settings), rod));
+  return plus(times(count_of(cells_of(settings)), ball_triangles(settings.fineness)),
+              times(rods_of(settings), rod));
 }
 
 std::vector<std::string> lattice_faults(const LatticeSettings& settings, bool flat) {
