@@ -11,17 +11,17 @@ using Bytes = std::span<const std::uint8_t>;
 constexpr std::uint8_t marker_dht = 0xC4, marker_soi = 0xD8, marker_sos = 0xDA;
 
 // As stb_image has it, what is beyond the end is zeros.
-unsigned byte_at(const Bytes& jpeg, std::size_t at) {
+unsigned byte_at(Bytes jpeg, std::size_t at) {
   return at < jpeg.size() ? jpeg[at] : 0U;
 }
 
-std::size_t length_at(const Bytes& jpeg, std::size_t at) {
+std::size_t length_at(Bytes jpeg, std::size_t at) {
   return byte_at(jpeg, at) << 8 | byte_at(jpeg, at + 1);
 }
 
 // The segment's tables, one after the other: a byte, the numbers of codes of 1 to 16 bits, then a
 // value a code. The last table counts even where it leaves the segment.
-bool is_sound_segment(const Bytes& jpeg, std::size_t segment) {
+bool is_sound_segment(Bytes jpeg, std::size_t segment) {
   const std::size_t end = segment + length_at(jpeg, segment);
   for (std::size_t table = segment + 2; table < end;) {
     unsigned codes = 0;
@@ -34,7 +34,7 @@ bool is_sound_segment(const Bytes& jpeg, std::size_t segment) {
 
 // From the first scan on, segments can not be told from picture data with certainty, so whatever
 // looks like the start of tables must be sound.
-bool are_sound_from(const Bytes& jpeg, std::size_t at) {
+bool are_sound_from(Bytes jpeg, std::size_t at) {
   for (; at + 1 < jpeg.size(); ++at) {
     if (jpeg[at] == 0xFF && jpeg[at + 1] == marker_dht && !is_sound_segment(jpeg, at + 2)) {
       return false;
@@ -45,7 +45,7 @@ bool are_sound_from(const Bytes& jpeg, std::size_t at) {
 
 }  // namespace
 
-bool has_sound_huffman_tables(const Bytes& jpeg) {
+bool has_sound_huffman_tables(Bytes jpeg) {
   std::size_t at = 0;
   while (true) {
     while (at < jpeg.size() && jpeg[at] != 0xFF) ++at;
