@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "frames/rest_frame.h"
+#include "physics/clones.h"
 
 namespace restframe {
 
@@ -225,7 +226,8 @@ void RestFrame::find_hits(LocalRays& local, const Lanes<double>& s_min,
   }
 }
 
-void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
+RESTFRAME_CLONES void RestFrame::intersect(const RayPacket& rays, int own_index,
+                                           HitPacket& hits) const {
   LocalRays local = localised(rays);
   find_hits(local, rays.s_min, rays.active, rays.coherent, own_index == 0, own_index, hits);
 }
@@ -243,8 +245,8 @@ double RestFrame::noise_at_end() const {
   return float_noise * reach / traversal_scale_;
 }
 
-void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
-                             Lanes<std::int32_t>& blocked) const {
+RESTFRAME_CLONES void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
+                                              Lanes<std::int32_t>& blocked) const {
   LocalRays local = localised(rays);
   Lanes<std::int32_t> open;
   Lanes<double> s_end;

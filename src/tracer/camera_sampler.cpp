@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "physics/clones.h"
 #include "tracer/film_samples.h"
 #include "tracer/lens.h"
 
@@ -96,8 +97,8 @@ void CameraSampler::add_rolling(CameraSample& sample) const {
   }
 }
 
-void CameraSampler::take(const PixelLanes& pixels, const Starts& starts, int index,
-                         CameraSample& sample) const {
+RESTFRAME_CLONES void CameraSampler::take(const PixelLanes& pixels, const Starts& starts, int index,
+                                          CameraSample& sample) const {
   place_on_film(pixels, index, sample);
   if (is_instant() && !has_lens()) return;  // nobody asks for the rest
   place_in_time(starts, index, sample);

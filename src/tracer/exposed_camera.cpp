@@ -1,5 +1,6 @@
 #include "tracer/exposed_camera.h"
 
+#include "physics/clones.h"
 #include "tracer/null_ray.h"
 
 namespace restframe {
@@ -42,7 +43,8 @@ ExposedCamera::Moment ExposedCamera::moment_at(double time) const {
           Projection(pose, pose.vertical_fov, scene_.render.width, scene_.render.height)};
 }
 
-void ExposedCamera::rays(int exposure, const CameraSample& sample, RayPacket& rays) const {
+RESTFRAME_CLONES void ExposedCamera::rays(int exposure, const CameraSample& sample,
+                                          RayPacket& rays) const {
   const Moment& opening = openings_[static_cast<std::size_t>(exposure)];
   if (is_instant_ && is_pinhole_) {
     camera_rays(opening.pose, opening.projection, sample.film_x, sample.film_y, rays);

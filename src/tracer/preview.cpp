@@ -1,5 +1,6 @@
 #include "tracer/preview.h"
 
+#include "physics/clones.h"
 #include "tracer/surface_material.h"
 
 namespace restframe {
@@ -72,8 +73,9 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
   return shaded;
 }
 
-bool Preview::shade_simple(const RayPacket& rays, const HitPacket& hits,
-                           const SurfaceLanes& surfaces, RadianceLanes& radiance) const {
+RESTFRAME_CLONES bool Preview::shade_simple(const RayPacket& rays, const HitPacket& hits,
+                                            const SurfaceLanes& surfaces,
+                                            RadianceLanes& radiance) const {
   if (surfaces.colored || scene_.render.beaming) return false;
   Lanes<std::int32_t> index, front;
   Lanes<float> cosine;

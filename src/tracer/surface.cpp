@@ -7,6 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include "physics/clones.h"
+
 namespace restframe {
 namespace {
 
@@ -157,8 +159,8 @@ void shade_group(const Placed& placed, const HitPacket& hits, int first,
 
 }  // namespace
 
-void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
-                 const Lanes<std::int32_t>& active, SurfaceLanes& surfaces) {
+RESTFRAME_CLONES void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
+                                  const Lanes<std::int32_t>& active, SurfaceLanes& surfaces) {
   surfaces.colored = false;
   Lanes<std::int32_t> waiting;
 #pragma GCC ivdep
