@@ -83,11 +83,15 @@ TEST_F(ObjSmoothing, EdgesBetweenGroupsAreHard) {
   const auto corners = corners_of(vertices + "s 1\n" + faces[0] + faces[2] + "s 2\n" + faces[1] +
                                   "s 7\n" + faces[3] + faces[4] + faces[5]);
   for (const Corner& c : corners) {
-    if (c.face.z > 0.5) EXPECT_LT(glm::distance(c.normal, Vec3(0, 0, 1)), 1e-6);
+    if (c.face.z > 0.5) {
+      EXPECT_LT(glm::distance(c.normal, Vec3(0, 0, 1)), 1e-6);
+    }
     if (c.face.z < -0.5 && c.position.y < 0) {  // the edge of the first two
       EXPECT_LT(glm::distance(c.normal, glm::normalize(Vec3(0, -1, -1))), 1e-6);
     }
-    if (c.face.z < -0.5 && c.position.y > 0) EXPECT_LT(glm::distance(c.normal, c.face), 1e-6);
+    if (c.face.z < -0.5 && c.position.y > 0) {
+      EXPECT_LT(glm::distance(c.normal, c.face), 1e-6);
+    }
   }
 }
 
@@ -114,7 +118,9 @@ TEST_F(ObjSmoothing, SharingGoesByVertexNumber) {
   const std::string fold = "v 0 0 0\nv 0 1 0\nv 1 0 1\nv -1 0 1\n";
   const std::string uvs = "vt 0 0\nvt 1 1\n";
   for (const Corner& c : corners_of(fold + uvs + "s 1\nf 2/1 1/1 3/1\nf 1/2 2/2 4/2\n")) {
-    if (c.position.x == 0) EXPECT_LT(glm::distance(c.normal, Vec3(0, 0, 1)), 1e-6);
+    if (c.position.x == 0) {
+      EXPECT_LT(glm::distance(c.normal, Vec3(0, 0, 1)), 1e-6);
+    }
   }
   for (const Corner& c : corners_of(fold + "v 0 0 0\nv 0 1 0\ns 1\nf 2 1 3\nf 5 6 4\n")) {
     EXPECT_LT(glm::distance(c.normal, c.face), 1e-6);
