@@ -30,7 +30,7 @@ class Converter {
     add_layers(result);
     if (illum_ == 6 || illum_ == 7) {
       make_glass(result);
-    } else if (source_.colors.count("tf")) {
+    } else if (result.opacity.value < 1 && color("tf", "Tf", 1).value_or(Vec3f(1)) != Vec3f(1)) {
       warn("Tf is used with illum 6 and 7 only");
     }
     if (result.opacity.value < 1) result.alpha_mode = AlphaMode::blend;

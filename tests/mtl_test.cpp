@@ -96,7 +96,7 @@ TEST_F(Mtl, GlassLetsLightThrough) {
   EXPECT_FLOAT_EQ(half.transmission.value, 0.75F);
   EXPECT_EQ(half.opacity.value, 1);
   EXPECT_EQ(half.base_color.value, Vec3f(0.1F, 0.2F, 0.3F));
-  load("Tf 1 1 1\n");
+  load("d 0.5\nTf 1 0 0\n");
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("Tf is used with illum 6 and 7 only")));
 }
 
