@@ -33,6 +33,11 @@ class CornerGrid {
     for (const std::uint32_t i : which) points_[ends_[cell_of(points[i])]++] = i;
   }
 
+  std::int64_t cells() const { return std::int64_t{columns_} * rows_; }
+  std::int64_t cells(const Vec2& lower, const Vec2& upper) const {
+    return std::int64_t{column(upper.x) - column(lower.x) + 1} * (row(upper.y) - row(lower.y) + 1);
+  }
+
   // Calls visit(point) for every point that may lie in the box, until it says stop; those of which
   // it says take_out are not met again. Returns the steps that this took.
   enum class Next : std::uint8_t { go_on, take_out, stop };

@@ -34,6 +34,7 @@ class IndexTable {
   }
 
   const std::vector<Key>& keys() const { return keys_; }
+  void reserve_keys(std::size_t count) { keys_.reserve(count); }
 
   // The table is empty afterwards.
   std::vector<Key> take_keys() {

@@ -25,6 +25,7 @@ class LineReader {
   LineReader(std::filesystem::path path, std::size_t limit);
 
   const std::filesystem::path& path() const { return path_; }
+  std::size_t size() const { return file_.size(); }  // of the file, in bytes
 
   // The next line without its end, valid until the next call; false if there is none. A backslash
   // at a line's end joins the next line to it, and is blanked. Throws InputError at a NUL byte.

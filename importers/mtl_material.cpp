@@ -26,7 +26,13 @@ class Converter {
     result.roughness.value = roughness();
     result.opacity.value = opacity();
     result.unlit = illum_ == 0;
-    if (illum_ == 6 || illum_ == 7) make_glass(result);
+    add_reflection(result);
+    add_layers(result);
+    if (illum_ == 6 || illum_ == 7) {
+      make_glass(result);
+    } else if (result.opacity.value < 1 && color("tf", "Tf", 1).value_or(Vec3f(1)) != Vec3f(1)) {
+      warn("Tf is used with illum 6 and 7 only");
+    }
     if (result.opacity.value < 1) result.alpha_mode = AlphaMode::blend;
     if (result.opacity.value <= 0) warn("is wholly transparent: nothing of it shows");
     return result;
@@ -61,6 +67,30 @@ class Converter {
     const auto tr = number("tr", "Tr", 0, 1);
     if (d) return *d;
     return tr ? 1 - *tr : 1.0F;
+  }
+
+  // Ks of a half is what glTF's dielectrics reflect, as common programs write and read it; where
+  // illum asks for traced reflections, Ks is the reflectance itself, seen straight on.
+  void add_reflection(Material& material) {
+    if (illum_ <= 1) {
+      material.specular.value = 0;
+      return;
+    }
+    std::optional<Vec3f> ks = color("ks", "Ks", 1);
+    if (!ks && source_.maps.count("ks")) ks = Vec3f(1);
+    if (!ks) return;
+    const float n = material.ior.value, root = (n - 1) / (n + 1);
+    const bool is_traced = illum_ >= 3 && root > 0;
+    material.specular_color.value = *ks * (is_traced ? 1 / (root * root) : 2.0F);
+  }
+
+  void add_layers(Material& material) {
+    material.clearcoat.value = number("pc", "Pc", 0, 1).value_or(0.0F);
+    material.clearcoat_roughness.value = number("pcr", "Pcr", 0, 1).value_or(0.0F);
+    const auto ps = number("ps", "Ps", 0, 1);
+    if (!ps && !source_.maps.count("ps")) return;
+    material.sheen_color.value = Vec3f(ps.value_or(1.0F));
+    material.sheen_roughness.value = 0.5F;  // the format has none
   }
 
   // What is not opaque lets light through its body, coloured by Tf.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "importers/asset_file.h"
@@ -38,6 +39,26 @@ ChannelSources whole(const std::string& file) {
   return result;
 }
 
+// Most normals point out of the surface: blue.
+bool looks_like_normals(const Image& image) {
+  std::array<std::uint64_t, 3> sum{};
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += image.rgba[i + c];
+  }
+  const std::uint64_t pixels = std::max<std::uint64_t>(image.rgba.size() / 4, 1);
+  const auto is_middle = [&](std::uint64_t s) { return s / pixels > 96 && s / pixels < 160; };
+  return is_middle(sum[0]) && is_middle(sum[1]) && sum[2] / pixels > 180;
+}
+
+// As the format has it, v upwards, told of ours, which is 1 - v.
+UvTransform transform_of(const MtlMap& map) {
+  UvTransform result;
+  result.along_u = {map.scale.x, 0};
+  result.along_v = {0, map.scale.y};
+  result.offset = {map.offset.x, 1 - map.scale.y - map.offset.y};
+  return result;
+}
+
 bool begins(const Bytes& bytes, std::initializer_list<std::uint8_t> start) {
   return bytes.size() >= start.size() && std::equal(start.begin(), start.end(), bytes.begin());
 }
@@ -48,7 +69,8 @@ void ObjTextures::apply(const MtlMaterial& source, Material& material) {
   apply_color(source, material);
   apply_emission(source, material);
   apply_metallic_roughness(source, material);
-  warn_of_others(source);
+  apply_normal(source, material);
+  apply_layers(source, material);
 }
 
 // map_d becomes the alpha of map_Kd.
@@ -61,6 +83,7 @@ void ObjTextures::apply_color(const MtlMaterial& source, Material& material) {
   const bool is_same = color && opacity && color->file == opacity->file;
   if (opacity) sources[3] = scalar(*opacity->map, opacity->file, is_same ? 'a' : 'm');
   material.base_color_texture = use(sources, color ? *color->map : *opacity->map, true);
+  if (color && opacity) check_options(source, *color->map, *opacity->map);
   if (opacity) material.alpha_mode = AlphaMode::blend;
   if (!color) return;
   const auto kd = source.colors.find("kd");
@@ -83,6 +106,7 @@ void ObjTextures::apply_emission(const MtlMaterial& source, Material& material) 
 void ObjTextures::apply_metallic_roughness(const MtlMaterial& source, Material& material) {
   const std::optional<Found> roughness = find(source, "pr"), metallic = find(source, "pm");
   if (!roughness && !metallic) return;
+  if (roughness && metallic) check_options(source, *roughness->map, *metallic->map);
   ChannelSources sources;
   if (roughness) sources[1] = scalar(*roughness->map, roughness->file, 'l');
   if (metallic) sources[2] = scalar(*metallic->map, metallic->file, 'l');
@@ -92,11 +116,50 @@ void ObjTextures::apply_metallic_roughness(const MtlMaterial& source, Material& 
   if (metallic && !source.numbers.count("pm")) material.metallic.value = 1;
 }
 
-void ObjTextures::warn_of_others(const MtlMaterial& source) {
-  for (const auto& [what, map] : source.maps) {
-    if (what == "kd" || what == "d" || what == "ke" || what == "pr" || what == "pm") continue;
-    warn(source, map.key, "not used");
+// Programs name normal maps as bump maps, too; these are told by their colour. Heights are not used.
+void ObjTextures::apply_normal(const MtlMaterial& source, Material& material) {
+  std::optional<Found> normal = find(source, "norm");
+  const std::optional<Found> bump = find(source, "bump");
+  if (bump && !normal && looks_like_normals(decode(bump->file))) normal = bump;
+  if (bump && !normal)
+    warn(source, bump->map->key, "a height map, not used; norm names normal maps");
+  if (!normal) return;
+  material.normal_texture = use(whole(normal->file), *normal->map, false);
+  material.normal_scale.value = normal->map->multiplier;
+}
+
+void ObjTextures::apply_layers(const MtlMaterial& source, Material& material) {
+  if (const auto specular = find(source, "ks")) {
+    material.specular_color_texture =
+        use(colors(*specular->map, specular->file), *specular->map, true);
   }
+  if (const auto sheen = find(source, "ps")) {
+    material.sheen_color_texture = use(colors(*sheen->map, sheen->file), *sheen->map, true);
+  }
+  apply_scalar(source, "pc", 0, material.clearcoat_texture);
+  if (material.clearcoat_texture.texture >= 0 && !source.numbers.count("pc")) {
+    material.clearcoat.value = 1;
+  }
+  apply_scalar(source, "pcr", 1, material.clearcoat_roughness_texture);
+  if (material.clearcoat_roughness_texture.texture >= 0 && !source.numbers.count("pcr")) {
+    material.clearcoat_roughness.value = 1;
+  }
+}
+
+void ObjTextures::apply_scalar(const MtlMaterial& source, const char* what, std::size_t channel,
+                               TextureUse& texture) {
+  const std::optional<Found> found = find(source, what);
+  if (!found) return;
+  ChannelSources sources;
+  sources[channel] = scalar(*found->map, found->file, 'l');
+  texture = use(sources, *found->map, false);
+}
+
+// Two pictures that become one have their place in common.
+void ObjTextures::check_options(const MtlMaterial& source, const MtlMap& used,
+                                const MtlMap& other) {
+  if (used.offset == other.offset && used.scale == other.scale && used.clamp == other.clamp) return;
+  warn(source, other.key, fmt::format("is placed by the options of {}", used.key));
 }
 
 std::optional<ObjTextures::Found> ObjTextures::find(const MtlMaterial& source, const char* what) {
@@ -143,7 +206,7 @@ TextureUse ObjTextures::use(const ChannelSources& sources, const MtlMap& map, bo
     if (!map.smooth) texture.filter = TextureFilter::nearest;
     asset_.textures.push_back(texture);
   }
-  return {entry->second, 0};
+  return {entry->second, 0, transform_of(map)};
 }
 
 // An image that is taken as it is gets decoded once, whatever its alpha is used for.

@@ -32,9 +32,14 @@ class ObjTextures {
   void apply_color(const MtlMaterial& source, Material& material);
   void apply_emission(const MtlMaterial& source, Material& material);
   void apply_metallic_roughness(const MtlMaterial& source, Material& material);
-  void warn_of_others(const MtlMaterial& source);
+  void apply_normal(const MtlMaterial& source, Material& material);
+  void apply_layers(const MtlMaterial& source, Material& material);
 
   std::optional<Found> find(const MtlMaterial& source, const char* what);
+  // One channel of the picture as another channel of the texture.
+  void apply_scalar(const MtlMaterial& source, const char* what, std::size_t channel,
+                    TextureUse& texture);
+  void check_options(const MtlMaterial& source, const MtlMap& used, const MtlMap& other);
   // As colour or as data, with the options of `map`.
   TextureUse use(const ChannelSources& sources, const MtlMap& map, bool srgb);
   int image(const ChannelSources& sources);

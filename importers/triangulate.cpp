@@ -44,9 +44,11 @@ void PolygonCutter::cut(const std::vector<Vec3>& corners, std::vector<Triangle>&
 }
 
 // Down to the last four corners. A corner is looked at again when a neighbour was cut off, and, as
-// what lay in its way may be gone, after all others.
+// what lay in its way may be gone, after all others. Small ears go first: large ones take long to
+// look through, and leave slivers.
 void PolygonCutter::clip_ears(std::uint32_t kept, std::vector<Triangle>& triangles) {
   candidates_.clear();
+  reach_ = 8;
   bool is_stuck = false;
   for (std::size_t i = 0; left_ > 4;) {
     if (exhausted()) return cut_fan(kept, triangles);
@@ -55,7 +57,8 @@ void PolygonCutter::clip_ears(std::uint32_t kept, std::vector<Triangle>& triangl
       corner = candidates_[i++];
       --steps_left_;
       if (links_[corner].next == corner || (!is_void(corner) && !is_ear(corner))) continue;
-    } else if (!is_stuck) {
+    } else if (!is_stuck || reach_ < grid_.cells()) {
+      if (is_stuck) reach_ *= 4;
       collect_candidates(kept);
       is_stuck = true;  // unless one of them is cut off
       i = 0;
@@ -134,6 +137,7 @@ bool PolygonCutter::is_ear(std::uint32_t corner) {
   const auto [previous, next] = links_[corner];
   const Vec2 &a = points_[previous], &b = points_[corner], &c = points_[next];
   const Vec2 lower = glm::min(glm::min(a, b), c), upper = glm::max(glm::max(a, b), c);
+  if (grid_.cells(lower, upper) > reach_) return false;
   bool is_free = true;
   steps_left_ -= grid_.search(lower, upper, [&](std::uint32_t other) {
     if (links_[other].next == other || turn(other) > 0) return CornerGrid::Next::take_out;

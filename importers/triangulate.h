@@ -49,7 +49,8 @@ class PolygonCutter {
   std::vector<Link> links_;   // of the corners not yet cut off; of others, to themselves
   std::size_t left_ = 0;      // corners not yet cut off
   std::vector<std::uint32_t> concave_, candidates_;
-  CornerGrid grid_;  // of the concave corners: only they can lie in an ear
+  std::int64_t reach_ = 0;  // ears cover at most so many cells of the grid
+  CornerGrid grid_;         // of the concave corners: only they can lie in an ear
 };
 
 }  // namespace restframe

@@ -149,6 +149,10 @@ TEST(PolygonCutter, PolygonsThatTouchThemselves) {
 TEST(PolygonCutter, TenThousandCorners) {
   expect_covered(comb(5000));
   expect_covered(spiral(10'000));
+  Points strip;  // ears at its ends only, but for triangles as long as itself
+  for (int i = 0; i < 7000; ++i) strip.emplace_back(i, 0, 0);
+  for (int i = 3000; i-- > 0;) strip.emplace_back(i * 7.0 / 3.0, 1, 0);
+  expect_covered(strip);
   Points star;
   for (int i = 0; i < 10'000; ++i) {
     const double phi = 2 * pi * i / 10'000, r = i % 2 == 0 ? 1 : 0.3 + 0.2 * std::sin(17.0 * i);

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <utility>
 #include <vector>
 
+#include "bench_scene.h"
 #include "memory_bench.h"
 
 namespace restframe {
@@ -57,6 +59,16 @@ std::string row(const std::string& name, double a, double b, double ratio, doubl
 }  // namespace
 
 bool run_and_report(const std::string& csv_path) {
+  std::string imports;
+  {
+    const BenchFile file;
+    for (const auto& [name, path] : {std::pair("GLB", file.glb()), std::pair("OBJ", file.obj())}) {
+      const ImportMemory use = measure_import(path);
+      imports +=
+          row(fmt::format("memory while importing {} over what is kept", name), use.peak_megabytes,
+              use.kept_megabytes, use.peak_megabytes / use.kept_megabytes, 2.5, false);
+    }
+  }
   const MemoryUse memory = measure_memory();
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
@@ -73,6 +85,7 @@ bool run_and_report(const std::string& csv_path) {
   table +=
       row("peak memory over vertices plus indices plus Embree", memory.peak_megabytes,
           memory.needed_megabytes, memory.peak_megabytes / memory.needed_megabytes, 1.5, false);
+  table += imports;
   fmt::print("\n{}", table);
   if (!csv_path.empty()) std::ofstream(csv_path) << table;
   return complete;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace restframe {
 
 struct MemoryUse {
@@ -9,5 +11,11 @@ struct MemoryUse {
 
 // To be called before anything large is made.
 MemoryUse measure_memory();
+
+// The most that load_asset takes in a process of its own, and the size of what it returns.
+struct ImportMemory {
+  double peak_megabytes = 0, kept_megabytes = 0;
+};
+ImportMemory measure_import(const std::string& path);
 
 }  // namespace restframe
