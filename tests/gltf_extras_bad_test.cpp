@@ -99,10 +99,9 @@ TEST_F(BadExtras, Materials) {
   EXPECT_EQ(of_paint({{"metallic", 2}}),
             "/metallic: material \"paint\": metallic is 2, must be "
             "from 0 to 1");
-  EXPECT_EQ(
-      of_paint({{"base_color", {{"period", 1}, {"intervals", {{0, 2, "red"}}}}}}),
-      "/base_color/intervals/0: material \"paint\": base_color: the interval [0, 2) leaves the "
-      "period from 0 to 1");
+  EXPECT_EQ(of_paint({{"base_color", {{"period", 1}, {"intervals", {{0, 2, "red"}}}}}}),
+            "/base_color/intervals/0: material \"paint\": base_color: the interval from 0 to 2 "
+            "leaves the period, 0 to 1");
   EXPECT_EQ(of_paint("[opacity]\nformula = '1+'"),
             ":2:11: material \"paint\": opacity: formula \"1+\" can not be used: Unexpected end of "
             "expression at position 3");
