@@ -53,7 +53,8 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
   const auto add = [&](const char* name, auto& limit, const char* what) {
     return command.add_option(name, limit, what)
         ->group("Limits on what files may ask for")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);  // which a -1 would pass for, made unsigned
   };
   constexpr int deepest = 1000;  // what reads JSON calls itself, level by level
   add("--max-json-bytes", limits.json_bytes, "JSON of a glTF file");
