@@ -54,7 +54,7 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
     return command.add_option(name, limit, what)
         ->group("Limits on what files may ask for")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);  // which a -1 would pass for, made unsigned
+        ->check(CLI::PositiveNumber);  // an unsigned -1 would be huge
   };
   constexpr int deepest = 1000;  // what reads JSON calls itself, level by level
   add("--max-json-bytes", limits.json_bytes, "JSON of a glTF file");
