@@ -71,7 +71,8 @@ TEST_F(HostileScene, SamplesResolutionAndRate) {
 }
 
 TEST_F(HostileScene, UnknownKeysNameTheNearest) {
-  expect_camera_refused("fvo = 3", "3:1: ", "unknown key \"fvo\", the nearest is \"fov\"");
+  expect_camera_refused("fvo = 3",
+                        "3:1: ", "unknown key \"fvo\", the nearest known one is \"fov\"");
   expect_scene_refused("[camra]\n" + ball, "1:2: ", "\"camera\"");
 }
 
@@ -108,9 +109,6 @@ TEST_F(HostileScene, Formulas) {
   }
   expect_roughness_refused("{formula = \"t = 5\"}", "assign");
   expect_roughness_refused("{formula = \"1, 2, 3\"}", "list of 3");
-  expect_roughness_refused(
-      fmt::format("{{formula = \"{}t{}\"}}", std::string(4000, '('), std::string(4000, ')')),
-      "formula");
   expect_roughness_refused(fmt::format("{{formula = \"{}\"}}", std::string(20'000, '1')), "longer");
 }
 

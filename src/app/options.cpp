@@ -54,11 +54,13 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
   const auto add = [&](const char* name, auto& limit, const char* what) {
     return command.add_option(name, limit, what)
         ->group("Limits on what files may ask for")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 1e15).description(""));  // so that sums of them are numbers, too
   };
   constexpr int deepest = 1000;  // what reads JSON calls itself, level by level
   add("--max-json-bytes", limits.json_bytes, "JSON of a glTF file");
-  add("--max-json-depth", limits.json_depth, "Levels of JSON")->check(CLI::Range(1, deepest));
+  add("--max-json-depth", limits.json_depth, "Levels of JSON")
+      ->check(CLI::Range(1, deepest).description("up to 1000"));
   add("--max-nodes", limits.nodes, "Nodes and instances");
   add("--max-triangles", limits.triangles, "Stored triangles");
   add("--max-image-pixels", limits.image_pixels, "Pixels of an image");
