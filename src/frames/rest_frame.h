@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "frames/embree_handles.h"
+#include "frames/hit_events.h"
 #include "frames/packet.h"
 #include "frames/traversable_mesh.h"
 #include "physics/lorentz.h"
@@ -38,6 +39,8 @@ struct FramePart {
 
 // A packet in the traversal coordinates of one rest frame.
 struct LocalRays;
+// The corners of 16 triangles.
+struct CornerLanes;
 
 class RestFrame {
  public:
@@ -60,6 +63,16 @@ class RestFrame {
   // Where, along the ray of a hit, the next search begins when the surface lets it pass: behind the
   // hit by more than floats can tell apart here.
   double s_behind(const HitPacket& hits, int lane) const;
+
+  // Gives hits on one part of this frame, those of `group`, their s in double, and tells their events.
+  // first: a lane of the group.
+  void locate(HitPacket& hits, int first, const Lanes<std::int32_t>& group,
+              HitEvents& events) const;
+
+  // From which s on rays that leave hits of this frame are clear of the surface, for the lanes of
+  // `group`. direction: unit, rest-frame axes. omega: the rays' frequency in this frame.
+  void find_clear(const HitEvents& from, const Vec3fLanes& direction, const Lanes<double>& omega,
+                  const Lanes<std::int32_t>& group, Lanes<double>& s_clear) const;
 
   // Gives a hit of this frame its s in double, from the triangle's corners.
   void refine(HitPacket& hits, int lane) const;
@@ -101,6 +114,11 @@ class RestFrame {
   unsigned context_flags(const LocalRays& local, bool coherent) const;
   // Of a hit's triangle, in traversal coordinates.
   std::array<Vec3, 3> corners(const HitPacket& hits, int lane) const;
+  // Lanes outside of the group get the triangle of lane `first`.
+  void gather_corners(const HitPacket& hits, int first, const Lanes<std::int32_t>& group,
+                      CornerLanes& corners) const;
+  void set_events(const HitPacket& hits, const CornerLanes& corners,
+                  const Lanes<std::int32_t>& group, HitEvents& events) const;
   double noise_at_end() const;
   double clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const;
 

@@ -20,7 +20,7 @@ bool emits(const Material& m) {
 }  // namespace
 
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
-    : stage_{scene, frames, object_places(scene, frames), {}, {}, false, false},
+    : stage_{scene, frames, object_places(scene, frames), {}, {}, {}, false, false, false},
       crossed_media_(no_crossing) {
   for (const LightPlace& place : light_places(scene)) {
     const bool surrounds = place.light->kind == LightKind::environment;
@@ -29,6 +29,8 @@ PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
   stage_.has_emitters = !stage_.environments.empty();
   for (const Material& material : scene.materials) {
     stage_.has_emitters = stage_.has_emitters || emits(material);
+    stage_.has_media = stage_.has_media || can_transmit(material);
+    stage_.plain.push_back(plain_material(material));
     stage_.has_see_through = stage_.has_see_through || material.alpha_mode != AlphaMode::opaque;
   }
 }
