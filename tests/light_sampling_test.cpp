@@ -34,7 +34,7 @@ struct Incident {
   Vec3f direction{0}, irradiance{0};
 };
 
-// The odd lanes ask for something else, from another rest frame.
+// The odd lanes ask for something else, from another rest frame unless all rest in the world.
 EventLanes<in::World> events_of(const LitEvent& event) {
   EventLanes<in::World> events;
   for (int i = 0; i < packet_size; ++i) {
@@ -45,8 +45,9 @@ EventLanes<in::World> events_of(const LitEvent& event) {
 LitLanes lanes_of(const LitEvent& event) {
   static const Boost<in::Rest, in::World> elsewhere(Velocity::from_beta({0.1, 0.2, -0.3}));
   LitLanes lit;
+  lit.all_rest = event.rest_from_world.is_identity();
   for (int i = 0; i < packet_size; ++i) {
-    lit.rest_from_world[i] = i % 2 == 0 ? &event.rest_from_world : &elsewhere;
+    lit.rest_from_world[i] = i % 2 == 0 || lit.all_rest ? &event.rest_from_world : &elsewhere;
     lit.omega[i] = i % 2 == 0 ? event.omega : 2.5;
     lit.active[i] = i == 4 ? 0 : -1;
   }

@@ -78,7 +78,8 @@ void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
   for (const RestFrame& frame : frames_) frame.find_blocked(rays, s_max, blocked);
 }
 
-void FrameSet::locate(const Lanes<std::int32_t>& active, HitPacket& hits, HitEvents& events) const {
+void FrameSet::locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,
+                      HitEvents& events) const {
   Lanes<std::uint64_t> parts;
   Lanes<std::int32_t> waiting;
 #pragma GCC ivdep
@@ -88,7 +89,7 @@ void FrameSet::locate(const Lanes<std::int32_t>& active, HitPacket& hits, HitEve
     waiting[i] = hit ? -1 : 0;
   }
   for_each_group(parts, waiting, [&](int first, const Lanes<std::int32_t>& group) {
-    frame(hits.frame[first]).locate(hits, first, group, events);
+    frame(hits.frame[first]).locate(hits, first, group, by_clock, events);
   });
 }
 

@@ -28,8 +28,10 @@ class FrameSet {
   void find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
                     Lanes<std::int32_t>& blocked) const;
 
-  // Gives the hits of the active lanes their s in double, and tells their events.
-  void locate(const Lanes<std::int32_t>& active, HitPacket& hits, HitEvents& events) const;
+  // Gives the hits of the active lanes their s in double, and tells their events. by_clock: as exactly
+  // as clocks and textures ask for, else as rays that leave the surfaces do.
+  void locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,
+              HitEvents& events) const;
 
   // From which s on rays that leave such hits are clear of the surface. direction: unit, in the axes
   // of the hit's rest frame; omega: the rays' frequency there.

@@ -4,6 +4,22 @@
 
 namespace restframe {
 
+// Sets lane i if it is in the group, without a branch.
+template <class T>
+void set_in(const Lanes<std::int32_t>& group, int i, Lanes<T>& lanes, T value) {
+  lanes[i] = group[i] != 0 ? value : lanes[i];
+}
+inline void set_in(const Lanes<std::int32_t>& group, int i, Vec3fLanes& lanes, const Vec3f& v) {
+  set_in(group, i, lanes.x, v.x);
+  set_in(group, i, lanes.y, v.y);
+  set_in(group, i, lanes.z, v.z);
+}
+inline void set_in(const Lanes<std::int32_t>& group, int i, Vec3Lanes& lanes, const Vec3& v) {
+  set_in(group, i, lanes.x, v.x);
+  set_in(group, i, lanes.y, v.y);
+  set_in(group, i, lanes.z, v.z);
+}
+
 // Calls visit(first, group) for each set of active lanes that have the same key: its first lane, and
 // -1 for all of them. Coherent packets have one to three sets.
 template <class Key, class Visit>

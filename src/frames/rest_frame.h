@@ -65,8 +65,9 @@ class RestFrame {
   double s_behind(const HitPacket& hits, int lane) const;
 
   // Gives hits on one part of this frame, those of `group`, their s in double, and tells their events.
-  // first: a lane of the group.
-  void locate(HitPacket& hits, int first, const Lanes<std::int32_t>& group,
+  // first: a lane of the group. by_clock: as exactly as clocks and textures ask for; else onto the plane
+  // that Embree's floats make of the triangle, which is all that rays that leave it ask for.
+  void locate(HitPacket& hits, int first, const Lanes<std::int32_t>& group, bool by_clock,
               HitEvents& events) const;
 
   // From which s on rays that leave hits of this frame are clear of the surface, for the lanes of
@@ -117,9 +118,10 @@ class RestFrame {
   // Lanes outside of the group get the triangle of lane `first`.
   void gather_corners(const HitPacket& hits, int first, const Lanes<std::int32_t>& group,
                       CornerLanes& corners) const;
-  void set_events(const HitPacket& hits, const CornerLanes& corners,
-                  const Lanes<std::int32_t>& group, HitEvents& events) const;
-  double noise_at_end() const;
+  void locate_on_plane(HitPacket& hits, int first, const Lanes<std::int32_t>& group,
+                       HitEvents& events) const;
+  void set_events(const HitPacket& hits, const Lanes<std::int32_t>& group, HitEvents& events) const;
+  void set_noise_at_end();
   double clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const;
 
   AnchoredFrame<in::Rest> coordinates_;
@@ -130,7 +132,10 @@ class RestFrame {
   Mat3 rest_from_traversal_linear_{1}, traversal_from_rest_linear_{1};
   Vec3 rest_from_traversal_offset_{0};
   double traversal_scale_ = 1;  // the longest that a unit vector of the rest frame gets, about
-  bool octants_hold_ = true;    // rays of one octant stay so inside every instance
+  // What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on
+  // a surface is not behind it.
+  double noise_at_end_ = 0;
+  bool octants_hold_ = true;          // rays of one octant stay so inside every instance
   bool traversal_is_turned_ = false;  // or scaled: the linear part is not the identity
 };
 

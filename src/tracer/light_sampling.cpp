@@ -1,81 +1,14 @@
 #include "tracer/light_sampling.h"
 
-#include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <limits>
 
 #include "frames/lane_groups.h"
 #include "physics/doppler.h"
+#include "tracer/light_emission.h"
 
 namespace restframe {
 namespace {
-
-// Rodrigues' rotation of the light's direction to where its sweep has brought it.
-Vec3 direction_at(const Light& light, double clock) {
-  if (!light.sweep) return light.direction;
-  const double turns = clock / light.sweep->period;
-  const double angle = 2.0 * glm::pi<double>() * (turns - std::floor(turns));
-  const Vec3& axis = light.sweep->axis;
-  const Vec3& d = light.direction;
-  return std::cos(angle) * d + std::sin(angle) * glm::cross(axis, d) +
-         (1.0 - std::cos(angle)) * glm::dot(axis, d) * axis;
-}
-
-// 1 - cos, without the loss of digits of small angles: a laser's cone is as exact as a lamp's.
-double one_minus_cos(double angle) {
-  const double s = std::sin(0.5 * angle);
-  return 2.0 * s * s;
-}
-
-// As KHR_lights_punctual has it: smooth between the cones.
-float spot_factor(const Light& light, double clock, const Vec3& outwards) {
-  const Vec3 aside = direction_at(light, clock) - outwards;
-  const double outer = one_minus_cos(light.outer_cone);
-  const double within = outer - 0.5 * glm::dot(aside, aside);
-  const double width = outer - one_minus_cos(light.inner_cone);
-  if (within <= 0.0) return 0.0F;
-  const double inside = within < width ? within / width : 1.0;
-  return static_cast<float>(inside * inside);
-}
-
-Vec3f emitted(const Light& light, double clock, TemporalEvaluator& evaluator) {
-  // Formulas may ask for less than nothing.
-  return glm::max(evaluator(light.color, clock) * evaluator(light.intensity, clock), Vec3f(0));
-}
-
-bool is_constant(const Light& light) {
-  return light.color.function == no_function && light.intensity.function == no_function;
-}
-
-// Intensity or irradiance in the light's own frame, by its clock; lanes in the dark become inactive.
-void set_emitted(const Light& light, const Lanes<double>& clock, TemporalEvaluator& evaluator,
-                 IncidentLanes& incident) {
-  if (is_constant(light)) {
-    const Vec3f always = emitted(light, 0.0, evaluator);
-    incident.irradiance.x.fill(always.x);
-    incident.irradiance.y.fill(always.y);
-    incident.irradiance.z.fill(always.z);
-    if (always == Vec3f(0)) incident.active.fill(0);
-    return;
-  }
-  for (int i = 0; i < packet_size; ++i) {
-    if (incident.active[i] == 0) continue;
-    const Vec3f now = emitted(light, clock[i], evaluator);
-    incident.irradiance.set(i, now);
-    if (now == Vec3f(0)) incident.active[i] = 0;
-  }
-}
-
-void narrow_to_spot(const Light& light, const Lanes<double>& clock, const Vec3Lanes& towards_light,
-                    IncidentLanes& incident) {
-  for (int i = 0; i < packet_size; ++i) {
-    if (incident.active[i] == 0) continue;
-    const float factor = spot_factor(light, clock[i], -towards_light.at(i));
-    incident.irradiance.set(i, incident.irradiance.at(i) * factor);
-    if (incident.irradiance.at(i) == Vec3f(0)) incident.active[i] = 0;
-  }
-}
 
 void to_light(const LightPlace& place, const EventLanes<in::World>& event,
               EventLanes<in::LightRest>& at) {
@@ -92,7 +25,7 @@ void to_light(const LightPlace& place, const EventLanes<in::World>& event,
   for (int i = 0; i < packet_size; ++i) at.set(i, frame(event.at(i)));
 }
 
-// Rays of one frequency in the light's frame, as the surfaces have them.
+// A ray as the surfaces have it.
 void to_surfaces(const LitLanes& lit, const WaveVectorLanes<in::World>& k,
                  WaveVectorLanes<in::Rest>& at_surface) {
   for_each_group(lit.rest_from_world, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
@@ -100,11 +33,8 @@ void to_surfaces(const LitLanes& lit, const WaveVectorLanes<in::World>& k,
     transform(*lit.rest_from_world[first], k, there);
 #pragma GCC ivdep
     for (int i = 0; i < packet_size; ++i) {
-      const bool in_group = group[i] != 0;
-      at_surface.t[i] = in_group ? there.t[i] : at_surface.t[i];
-      at_surface.x.x[i] = in_group ? there.x.x[i] : at_surface.x.x[i];
-      at_surface.x.y[i] = in_group ? there.x.y[i] : at_surface.x.y[i];
-      at_surface.x.z[i] = in_group ? there.x.z[i] : at_surface.x.z[i];
+      set_in(group, i, at_surface.t, there.t[i]);
+      set_in(group, i, at_surface.x, there.x.at(i));
     }
   });
 }
@@ -115,10 +45,27 @@ struct Arrival {
   Lanes<double> doppler;  // D of the light
 };
 
+// Light and surfaces rest in the world: one frequency everywhere.
+void arrive_at_rest(const LitLanes& lit, const Vec3Lanes& towards_light, Arrival& arrival,
+                    IncidentLanes& incident) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const double omega = lit.omega[i];
+    arrival.frequency[i] = 1.0;
+    arrival.doppler[i] = 1.0 / omega;
+    incident.direction.set(i, Vec3f(towards_light.at(i)));
+    incident.k.t[i] = -omega;
+    incident.k.x.set(i, towards_light.at(i) * omega);
+  }
+}
+
 // Rays that look along `towards_light` in the light's frame, with the frequency that the paths ask
 // for; D of the light follows.
 void arrive(const LightPlace& place, const LitLanes& lit, const Vec3Lanes& towards_light,
             Arrival& arrival, IncidentLanes& incident) {
+  if (lit.all_rest && place.world_from_light.is_identity()) {
+    return arrive_at_rest(lit, towards_light, arrival, incident);
+  }
   WaveVectorLanes<in::LightRest> leaving;
   leaving.t.fill(-1.0);
   leaving.x = towards_light;

@@ -24,6 +24,7 @@ struct LitLanes {
   Lanes<const Boost<in::Rest, in::World>*> rest_from_world;  // the surfaces' rest frames
   Lanes<double> omega;  // the light's frequency there over that in the camera
   Lanes<std::int32_t> active;
+  bool all_rest = false;  // all surfaces rest in the world: spares the boosts
 };
 
 // What comes from one light, if nothing is in between, to the active lanes.

@@ -1,7 +1,6 @@
 // Light that comes straight from lights to the vertices of 16 paths.
 
-#include <algorithm>
-
+#include "frames/lane_groups.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -15,11 +14,17 @@ constexpr float least_light = 1e-4F;  // what is dimmed below this fraction is d
 void PathWalk::add_lights() {
   LitLanes lit;
   lit.omega = paths_.omega;
-  for (int i = 0; i < packet_size; ++i) {
-    lit.active[i] = vertices_.active[i] != 0 && !in_medium(i) ? -1 : 0;
-    lit.rest_from_world[i] =
-        &stage_.frames.frame(std::max(0, hits_.frame[i])).coordinates().from_world;
+  lit.active = vertices_.active;
+  for (int i = 0; inside_ && i < packet_size; ++i) {
+    if (in_medium(i)) lit.active[i] = 0;
   }
+  lit.all_rest = true;
+  for_each_group(hits_.frame, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
+    const auto* from_world = &stage_.frames.frame(hits_.frame[first]).coordinates().from_world;
+    lit.all_rest = lit.all_rest && from_world->is_identity();
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) set_in(group, i, lit.rest_from_world, from_world);
+  });
   if (!any(lit.active)) return;
   ViewLobeLanes lobes;
   view_lobes(vertices_.bsdf, lobes);
@@ -50,29 +55,25 @@ void PathWalk::add_light(const LightPlace& light, const LitLanes& lit, const Vie
   stage_.frames.find_clear(hits_, at, from_light.direction, lit.omega, shadows.active,
                            shadows.s_min);
   const Lanes<std::int32_t> reached = shadows.active;
-  let_through(shadows, from_light.s_light, arriving);
+  Lanes<float> left;
+  let_through(shadows, from_light.s_light, left);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    paths_.radiance.x[i] += reached[i] != 0 ? arriving.x[i] : 0.0F;
-    paths_.radiance.y[i] += reached[i] != 0 ? arriving.y[i] : 0.0F;
-    paths_.radiance.z[i] += reached[i] != 0 ? arriving.z[i] : 0.0F;
+    const bool lights = (reached[i] != 0) & (left[i] > 0.0F);
+    paths_.radiance.x[i] += lights ? arriving.x[i] * left[i] : 0.0F;
+    paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
+    paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;
   }
 }
 
-// Dims what arrives by all that is in its way.
-void PathWalk::let_through(RayPacket& shadows, const Lanes<double>& s_max, Vec3fLanes& arriving) {
-  Lanes<float> left;
+// The fraction that is left of light by all that is in its way.
+void PathWalk::let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left) {
   left.fill(1.0F);
-  if (stage_.has_see_through) {
-    dim(shadows, s_max, left);
-  } else {
-    Lanes<std::int32_t> blocked;
-    stage_.frames.find_blocked(shadows, s_max, blocked);
+  if (stage_.has_see_through) return dim(shadows, s_max, left);
+  Lanes<std::int32_t> blocked;
+  stage_.frames.find_blocked(shadows, s_max, blocked);
 #pragma GCC ivdep
-    for (int i = 0; i < packet_size; ++i) left[i] = blocked[i] != 0 ? 0.0F : 1.0F;
-  }
-#pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) arriving.set(i, arriving.at(i) * left[i]);
+  for (int i = 0; i < packet_size; ++i) left[i] = blocked[i] != 0 ? 0.0F : 1.0F;
 }
 
 // By layer after layer of what may be seen through.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frames/lane_groups.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -38,9 +39,12 @@ void PathWalk::meet() {
   arrive();
   ShineLanes shines;
   vertices_.active.fill(0);
-  for (int lane = 0; lane < packet_size; ++lane) {
-    if (met_[lane] != 0) set_material(lane, shines);
-  }
+  for_each_group(surfaces_.material, met_, [&](int first, const Lanes<std::int32_t>& group) {
+    if (plain(first).always) return set_plain_material(plain(first), group, shines);
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (group[lane] != 0) set_changing_material(lane, shines);
+    }
+  });
   if (shines.any) add_emission(shines);
   if (!any(vertices_.active)) return;
   set_geometry();
@@ -61,7 +65,7 @@ void PathWalk::arrive() {
     rays_.active[i] = met_[i] != 0 ? 0 : rays_.active[i];
     in_medium_.active[i] = met_[i] != 0 ? 0 : in_medium_.active[i];
   }
-  for (int lane = 0; stage_.has_media && lane < packet_size; ++lane) {
+  for (int lane = 0; inside_ && lane < packet_size; ++lane) {
     if (met_[lane] != 0 && in_medium(lane)) absorb(lane);
   }
 }
@@ -72,25 +76,33 @@ void PathWalk::absorb(int lane) {
   paths_.throughput.set(lane, paths_.throughput.at(lane) * left);
 }
 
-void PathWalk::set_material(int lane, ShineLanes& shines) {
-  const bool scatters = paths_.scatterings[lane] < stage_.scene.render.depth;
-  const PlainMaterial& plain = this->plain(lane);
-  if (!plain.always) {
-    set_changing_material(lane, scatters, shines);
-  } else {
-    shines.set(lane, plain.emission);
-    vertices_.active[lane] = scatters ? -1 : 0;
-    BsdfLanes& bsdf = vertices_.bsdf;
-    bsdf.base.set(lane, plain.base * Vec3f(surfaces_.color[lane]));
-    bsdf.metallic[lane] = plain.metallic;
-    bsdf.transmission[lane] = 0.0F;
-    bsdf.alpha[lane] = plain.alpha;
-    bsdf.eta[lane] = in_medium(lane) ? plain.ior / media_[lane].ior() : plain.ior;
+void PathWalk::set_plain_material(const PlainMaterial& material, const Lanes<std::int32_t>& group,
+                                  ShineLanes& shines) {
+  const PlainMaterial plain = material;
+  const int depth = stage_.scene.render.depth;
+  BsdfLanes& bsdf = vertices_.bsdf;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const std::int32_t scatters = paths_.scatterings[i] < depth ? group[i] : 0;
+    vertices_.active[i] |= scatters;
+    paths_.scatterings[i] -= scatters;
+    set_in(group, i, shines.radiance, plain.emission);
+    set_in(group, i, bsdf.metallic, plain.metallic);
+    set_in(group, i, bsdf.transmission, 0.0F);
+    set_in(group, i, bsdf.alpha, plain.alpha);
+    set_in(group, i, bsdf.eta, plain.ior);
   }
-  if (vertices_.active[lane] != 0) ++paths_.scatterings[lane];
+  for (int i = 0; i < packet_size; ++i) {
+    set_in(group, i, bsdf.base, plain.base * Vec3f(surfaces_.color[i]));
+  }
+  shines.any = shines.any || plain.emission != Vec3f(0);
+  for (int lane = 0; inside_ && lane < packet_size; ++lane) {
+    if (group[lane] != 0 && in_medium(lane)) bsdf.eta[lane] /= media_[lane].ior();
+  }
 }
 
-void PathWalk::set_changing_material(int lane, bool scatters, ShineLanes& shines) {
+void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
+  const bool scatters = paths_.scatterings[lane] < stage_.scene.render.depth;
   const MetSurface met = met_surface(lane);
   const Material& material = met.material();
   const double clock = clock_[lane];
@@ -99,6 +111,7 @@ void PathWalk::set_changing_material(int lane, bool scatters, ShineLanes& shines
   const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
   shines.set(lane, material.unlit ? emitted + base : emitted);
   if (material.unlit || !scatters) return;
+  ++paths_.scatterings[lane];
   vertices_.active[lane] = -1;
   const Vec4f finish = texel(met, material.metallic_roughness_texture);
   const float roughness = fraction(evaluator_(material.roughness, clock)) * finish.y;
@@ -117,9 +130,7 @@ void PathWalk::add_emission(const ShineLanes& shines) {
     const float factor = emitter_factor(beaming, 1.0 / paths_.omega[i]);
     const Vec3f sum =
         paths_.radiance.at(i) + paths_.throughput.at(i) * shines.radiance.at(i) * factor;
-    paths_.radiance.x[i] = met_[i] != 0 ? sum.x : paths_.radiance.x[i];
-    paths_.radiance.y[i] = met_[i] != 0 ? sum.y : paths_.radiance.y[i];
-    paths_.radiance.z[i] = met_[i] != 0 ? sum.z : paths_.radiance.z[i];
+    set_in(met_, i, paths_.radiance, sum);
   }
 }
 

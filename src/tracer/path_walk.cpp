@@ -1,5 +1,7 @@
 #include "tracer/path_walk.h"
 
+#include "frames/lane_groups.h"
+
 namespace restframe {
 namespace {
 
@@ -25,10 +27,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
 void PathWalk::run() {
   for (; round_ < most_rounds; ++round_) {
     if (!find_surfaces()) break;
-    met_.fill(0);
-    for (int lane = 0; lane < packet_size; ++lane) {
-      if (rays_.active[lane] != 0 || in_medium_.active[lane] != 0) stop_or_pass(lane);
-    }
+    stop_or_pass();
     if (any(met_)) meet();
   }
 }
@@ -42,16 +41,18 @@ void PathWalk::take_radiance(RadianceLanes& radiance) const {
 // What the next surfaces are, and where exactly; false if no path goes on.
 bool PathWalk::find_surfaces() {
   const bool outside = any(rays_.active);
-  const bool inside = stage_.has_media && any(in_medium_.active);
+  inside_ = stage_.has_media && any(in_medium_.active);
   if (outside) stage_.frames.nearest(rays_, hits_);
-  if (inside) stage_.frames.nearest(in_medium_, hits_);
-  if (!outside && !inside) return false;
-  Lanes<std::int32_t> active;
+  if (inside_) stage_.frames.nearest(in_medium_, hits_);
 #pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) active[i] = rays_.active[i] | in_medium_.active[i];
-  surfaces_at(stage_.scene, stage_.frames, hits_, active, surfaces_);
-  stage_.frames.locate(active, hits_, vertices_.at);
-  return true;
+  for (int i = 0; i < packet_size; ++i) {
+    const std::int32_t active = rays_.active[i] | in_medium_.active[i];
+    hit_[i] = hits_.frame[i] >= 0 ? active : 0;
+    missed_[i] = hits_.frame[i] >= 0 ? 0 : active;
+  }
+  surfaces_at(stage_.scene, stage_.frames, hits_, hit_, surfaces_);
+  stage_.frames.locate(hit_, stage_.has_clocks || data_ != nullptr, hits_, vertices_.at);
+  return outside || inside_;
 }
 
 // Objects of one velocity may be in several rest frames, by their sizes.
@@ -62,36 +63,79 @@ bool PathWalk::rests_together(int frame, int other) const {
   return frame == other || velocity(frame) == velocity(other);
 }
 
-void PathWalk::miss(int lane) {
-  if (!in_medium(lane)) {
-    for (const LightPlace& environment : stage_.environments) {
-      const Vec3f radiance =
-          environment_radiance(environment, rays_.origin.at(lane), rays_.k.at(lane),
-                               stage_.scene.render.beaming, evaluator_);
-      paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * radiance);
-      paths_.coverage[lane] = 1;
+void PathWalk::miss() {
+  const bool lit_from_afar = !stage_.environments.empty();
+  for (int lane = 0; lit_from_afar && lane < packet_size; ++lane) {
+    if (missed_[lane] != 0 && !in_medium(lane)) add_environments(lane);
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    rays_.active[i] &= ~missed_[i];
+    in_medium_.active[i] &= ~missed_[i];
+  }
+}
+
+void PathWalk::add_environments(int lane) {
+  for (const LightPlace& environment : stage_.environments) {
+    const Vec3f radiance =
+        environment_radiance(environment, rays_.origin.at(lane), rays_.k.at(lane),
+                             stage_.scene.render.beaming, evaluator_);
+    paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * radiance);
+    paths_.coverage[lane] = 1;
+  }
+}
+
+// Sets which paths the surfaces stop; the others pass them, or have met nothing.
+void PathWalk::stop_or_pass() {
+  if (any(missed_)) miss();
+  met_.fill(0);
+  for_each_group(surfaces_.material, hit_, [&](int first, const Lanes<std::int32_t>& group) {
+    if (plain(first).always && !inside_) return stop_at_plain(plain(first), group);
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (group[lane] != 0) stop_or_pass(lane);
+    }
+  });
+  if (data_ == nullptr) return;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (met_[lane] != 0 && !(*data_)[lane].hit && paths_.scatterings[lane] == 0) {
+      const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
+      (*data_)[lane] = surface_data(met_surface(lane), place, rays_);
     }
   }
-  rays_.active[lane] = 0;
-  in_medium_.active[lane] = 0;
+}
+
+// Back faces that are not to be seen let everything pass.
+void PathWalk::stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group) {
+  const std::int32_t both_sides = plain.double_sided ? -1 : 0;
+  Lanes<std::int32_t> passing;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const std::int32_t stops = surfaces_.back[i] == 0 ? -1 : both_sides;
+    met_[i] |= group[i] & stops;
+    passing[i] = group[i] & ~stops;
+  }
+  if (!any(passing)) return;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (passing[lane] != 0) pass(lane);
+  }
+}
+
+void PathWalk::pass(int lane) {
+  Lanes<double>& s_min = in_medium(lane) ? in_medium_.s_min : rays_.s_min;
+  s_min[lane] = stage_.frames.frame(hits_.frame[lane]).s_behind(hits_, lane);
 }
 
 void PathWalk::stop_or_pass(int lane) {
-  if (hits_.frame[lane] < 0) return miss(lane);
   if (enters_other_frame(lane)) return;
-  const float stopped = stopped_fraction(lane);
+  const MetSurface met = met_surface(lane);
+  const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
+  clock_[lane] = clock_at(place, hits_, lane);
+  texture_[lane] = texel(met, met.material().base_color_texture);
+  const float stopped = coverage(met, texture_[lane].w, clock_[lane], evaluator_);
   const bool stops =
       stopped >= 1.0F || (stopped > 0.0F && random(lane, Dimension::opacity) < stopped);
-  if (!stops) {
-    Lanes<double>& s_min = in_medium(lane) ? in_medium_.s_min : rays_.s_min;
-    s_min[lane] = stage_.frames.frame(hits_.frame[lane]).s_behind(hits_, lane);
-    return;
-  }
+  if (!stops) return pass(lane);
   met_[lane] = -1;
-  if (data_ != nullptr && !(*data_)[lane].hit && paths_.scatterings[lane] == 0) {
-    const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
-    (*data_)[lane] = surface_data(met_surface(lane), place, rays_);
-  }
 }
 
 // Media nest only where nothing moves; such a path ends.
@@ -102,17 +146,6 @@ bool PathWalk::enters_other_frame(int lane) {
   crossing_ = {medium.object, surfaces_.object[lane]};
   in_medium_.active[lane] = 0;
   return true;
-}
-
-// The fraction of light that does not just pass the surface.
-float PathWalk::stopped_fraction(int lane) {
-  const PlainMaterial& plain = this->plain(lane);
-  if (plain.always) return surfaces_.back[lane] == 0 || plain.double_sided ? 1.0F : 0.0F;
-  const MetSurface met = met_surface(lane);
-  const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
-  clock_[lane] = clock_at(place, hits_, lane);
-  texture_[lane] = texel(met, met.material().base_color_texture);
-  return coverage(met, texture_[lane].w, clock_[lane], evaluator_);
 }
 
 }  // namespace restframe

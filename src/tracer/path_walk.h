@@ -23,6 +23,7 @@ struct PathStage {
   std::vector<LightPlace> lights, environments;
   bool has_emitters = false;     // surfaces or environments: paths meet them by chance only
   bool has_see_through = false;  // materials that let light pass straight on
+  bool has_clocks = false;       // something that changes over time
   bool has_media = false;        // materials that light can be inside of
 };
 
@@ -54,7 +55,7 @@ class PathWalk {
     HitEvents at;
     BsdfLanes bsdf;
   };
-  // What shines towards the path at what was met, before the emitter's factor.
+  // What shines towards the paths from what they have met, before the emitter's factor.
   struct ShineLanes {
     bool any = false;
     Vec3fLanes radiance;
@@ -69,9 +70,12 @@ class PathWalk {
   bool in_medium(int lane) const { return stage_.has_media && !media_[lane].empty(); }
   bool rests_together(int frame, int other) const;
   bool enters_other_frame(int lane);
-  void miss(int lane);
+  void miss();
+  void add_environments(int lane);
+  void stop_or_pass();
   void stop_or_pass(int lane);
-  float stopped_fraction(int lane);
+  void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
+  void pass(int lane);
   MetSurface met_surface(int lane) const {
     return {stage_.scene, stage_.frames, surfaces_, hits_, lane};
   }
@@ -82,14 +86,15 @@ class PathWalk {
   void meet();
   void arrive();
   void absorb(int lane);
-  void set_material(int lane, ShineLanes& shines);
-  void set_changing_material(int lane, bool scatters, ShineLanes& shines);
+  void set_plain_material(const PlainMaterial& plain, const Lanes<std::int32_t>& group,
+                          ShineLanes& shines);
+  void set_changing_material(int lane, ShineLanes& shines);
   void add_emission(const ShineLanes& shines);
   void set_geometry();
 
   void add_lights();
   void add_light(const LightPlace& light, const LitLanes& lit, const ViewLobeLanes& lobes);
-  void let_through(RayPacket& shadows, const Lanes<double>& s_max, Vec3fLanes& arriving);
+  void let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
   void dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
 
   Medium medium_of(int lane, const MetSurface& met, double clock);
@@ -113,9 +118,11 @@ class PathWalk {
   Lanes<MediumStack> media_;
   HitPacket hits_;
   SurfaceLanes surfaces_;
-  Lanes<double> clock_;      // of what was met, unless it is plain
-  Lanes<Vec4f> texture_;     // likewise: the base colour's
-  Lanes<std::int32_t> met_;  // -1: the path is stopped by a surface in this round
+  bool inside_ = false;               // some path goes on within a medium
+  Lanes<std::int32_t> hit_, missed_;  // -1: the path meets a surface, or nothing, in this round
+  Lanes<double> clock_;               // of what was met, unless it is plain
+  Lanes<Vec4f> texture_;              // likewise: the base colour's
+  Lanes<std::int32_t> met_;           // -1: the path is stopped by a surface in this round
   VertexLanes vertices_;
   MediumCrossing crossing_;
 };
