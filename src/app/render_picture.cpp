@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "app/signals.h"
 #include "film/exposures.h"
 #include "scene/error.h"
@@ -16,18 +19,34 @@ constexpr int tile_size = 32;  // pixels
 constexpr int block_side = 4;  // a packet is a square of pixels: coherent both ways
 static_assert(block_side * block_side == packet_size);
 
+// Where in a block each lane's pixel is, and its number after that of the block's first.
+struct BlockPattern {
+  PixelLanes offset;
+  Lanes<std::int32_t> pixel;
+
+  explicit BlockPattern(int picture_width) {
+    for (int lane = 0; lane < packet_size; ++lane) {
+      offset.x[lane] = lane % block_side;
+      offset.y[lane] = lane / block_side;
+      pixel[lane] = offset.y[lane] * picture_width + offset.x[lane];
+    }
+  }
+};
+
 // What the tiles of one picture share.
 struct PictureView {
   const RenderContext& context;
   int number;
   CameraSampler sampler;
   ExposedCamera camera;
+  BlockPattern pattern;
 
   PictureView(const RenderContext& of, int picture)
       : context(of),
         number(picture),
         sampler(of.scene),
-        camera(of.scene, sampler, picture_time(of.scene.animation, picture)) {}
+        camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
+        pattern(of.scene.render.width) {}
 };
 
 // A square of pixels that is rendered as one packet after the other.
@@ -36,35 +55,34 @@ struct Block {
   const PictureView& view;
   const Tracer& integrator;
   TemporalEvaluator& evaluator;
+  int left, top;
+  int width, height;  // within the picture
   PixelLanes pixels;
   Lanes<std::int32_t> active;  // lanes off the picture stay inactive
-  PacketId id;
+  PacketId id;                 // of the sample at hand
+
+  Block(const PictureView& of, const Tracer& by, TemporalEvaluator& with, int x, int y)
+      : view(of), integrator(by), evaluator(with), left(x), top(y) {
+    const RenderSettings& settings = view.context.scene.render;
+    width = std::min(block_side, settings.width - left);
+    height = std::min(block_side, settings.height - top);
+    id.seed = settings.seed;
+    id.picture = static_cast<std::uint32_t>(view.number);
+    const BlockPattern& pattern = view.pattern;
+    const std::int32_t first = top * settings.width + left;
+    const std::int32_t columns = width;
+    const std::int32_t rows = height;
+#pragma GCC ivdep
+    for (int lane = 0; lane < packet_size; ++lane) {
+      const std::int32_t across = pattern.offset.x[lane];
+      const std::int32_t down = pattern.offset.y[lane];
+      pixels.x[lane] = x + across;
+      pixels.y[lane] = y + down;
+      active[lane] = (across < columns ? -1 : 0) & (down < rows ? -1 : 0);
+      id.pixel[lane] = static_cast<std::uint32_t>(first + pattern.pixel[lane]);
+    }
+  }
 };
-
-PixelLanes block_pixels(int left, int top) {
-  PixelLanes pixels;
-  for (int lane = 0; lane < packet_size; ++lane) {
-    pixels.x[lane] = left + lane % block_side;
-    pixels.y[lane] = top + lane / block_side;
-  }
-  return pixels;
-}
-
-template <class Tracer>
-Block<Tracer> make_block(const PictureView& view, const Tracer& integrator,
-                         TemporalEvaluator& evaluator, int left, int top) {
-  const RenderSettings& settings = view.context.scene.render;
-  Block<Tracer> block{view, integrator, evaluator, block_pixels(left, top), {}, {}};
-  block.id.seed = settings.seed;
-  block.id.picture = static_cast<std::uint32_t>(view.number);
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const int x = block.pixels.x[lane];
-    const int y = block.pixels.y[lane];
-    block.active[lane] = x < settings.width && y < settings.height ? -1 : 0;
-    block.id.pixel[lane] = static_cast<std::uint32_t>(y * settings.width + x);
-  }
-  return block;
-}
 
 template <class Tracer, class Store>
 void for_pixels(const Block<Tracer>& block, const Store& store) {
@@ -78,19 +96,19 @@ void add(RadianceLanes& sum, const RadianceLanes& radiance) {
 }
 
 template <class Tracer>
-void trace(const Block<Tracer>& block, const PacketId& id, int exposure, const CameraSample& sample,
+void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
            RadianceLanes& radiance, SurfaceDataLanes* data) {
   RayPacket rays;
   rays.active = block.active;
   block.view.camera.rays(exposure, sample, rays);
-  block.integrator.trace(rays, id, block.evaluator, radiance, data);
+  block.integrator.trace(rays, block.id, block.evaluator, radiance, data);
 }
 
 template <class Tracer>
 void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
                           RadianceLanes& radiance, Picture& picture) {
   SurfaceDataLanes data;
-  trace(block, block.id, 0, sample, radiance, &data);
+  trace(block, 0, sample, radiance, &data);
   for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
 }
 
@@ -105,10 +123,10 @@ void render_data(const Block<Tracer>& block, Picture& picture) {
 
 // The sum over the samples of one exposure; data layers are those of the very first sample.
 template <class Tracer>
-void render_exposure(const Block<Tracer>& block, int exposure, int samples, bool with_data,
+void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_data,
                      RadianceLanes& sum, Picture& picture) {
   const CameraSampler& sampler = block.view.sampler;
-  PacketId id = block.id;
+  PacketId& id = block.id;
   const auto first = static_cast<std::uint32_t>(exposure) * static_cast<std::uint32_t>(samples);
   id.sample = first;
   CameraSampler::Starts starts;
@@ -117,18 +135,29 @@ void render_exposure(const Block<Tracer>& block, int exposure, int samples, bool
     id.sample = first + static_cast<std::uint32_t>(index);
     CameraSample sample;
     sampler.take(block.pixels, starts, index, sample);
-    RadianceLanes radiance;
+    RadianceLanes next;
+    RadianceLanes& radiance = index == 0 ? sum : next;
     if (with_data && id.sample == 0) {
       trace_and_store_data(block, sample, radiance, picture);
     } else {
-      trace(block, id, exposure, sample, radiance, nullptr);
+      trace(block, exposure, sample, radiance, nullptr);
     }
-    add(sum, radiance);
+    if (index > 0) add(sum, next);
   }
 }
 
 template <class Tracer>
-void render_block(const Block<Tracer>& block, Picture& picture) {
+void store(const Block<Tracer>& block, const RadianceLanes& radiance, Picture& picture) {
+  const std::span<const Vec4f> lanes(radiance.lane);
+  for (int row = 0; row < block.height; ++row) {
+    picture.set_radiance_row(block.left, block.top + row,
+                             lanes.subspan(static_cast<std::size_t>(row * block_side),
+                                           static_cast<std::size_t>(block.width)));
+  }
+}
+
+template <class Tracer>
+void render_block(Block<Tracer>&& block, Picture& picture) {
   const Scene& scene = block.view.context.scene;
   const bool data_apart = picture.has_data() && block.view.sampler.spreads();
   if (data_apart) render_data(block, picture);
@@ -139,11 +168,10 @@ void render_block(const Block<Tracer>& block, Picture& picture) {
   for (int exposure = 0; exposure < exposures; ++exposure) {
     if (interrupt_requested()) throw Interrupted();
     RadianceLanes sum;
-    sum.fill(Vec4f(0));
     render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
     total.add(sum, 1.0F / static_cast<float>(samples));
   }
-  for_pixels(block, [&](int x, int y, int lane) { picture.set_radiance(x, y, total.pixel(lane)); });
+  store(block, total.combined(), picture);
 }
 
 std::string formula_text(const Scene& scene, FunctionIndex function) {
@@ -173,7 +201,7 @@ void render_tile(const PictureView& view, const Tracer& integrator, std::size_t 
   std::unique_ptr<TemporalEvaluator> evaluator = view.context.evaluators.take();
   for (int y = top; y < bottom; y += block_side) {
     for (int x = left; x < right; x += block_side) {
-      render_block(make_block(view, integrator, *evaluator, x, y), picture);
+      render_block(Block<Tracer>(view, integrator, *evaluator, x, y), picture);
     }
   }
   check_fault(view.context.scene, *evaluator);

@@ -13,15 +13,22 @@ class ExposureTotal {
 
   // The next exposure: `scale` times what its samples add up to.
   void add(const RadianceLanes& samples, float scale) {
-    for (int i = 0; i < packet_size; ++i) {
-      const Vec4f next = scale * samples[i];
-      total_[i] = is_first_ ? next : taken_together(total_[i], next);
+    if (is_first_) {
+      for (int i = 0; i < packet_size; ++i) total_[i] = scale * samples[i];
+    } else {
+      for (int i = 0; i < packet_size; ++i) {
+        total_[i] = taken_together(total_[i], scale * samples[i]);
+      }
     }
     is_first_ = false;
   }
 
-  Vec4f pixel(int lane) const {
-    return combine_ == Combine::mean ? share_ * total_[lane] : total_[lane];
+  // After the last one.
+  const RadianceLanes& combined() {
+    if (combine_ == Combine::mean && share_ != 1.0F) {
+      for (Vec4f& pixel : total_.lane) pixel *= share_;
+    }
+    return total_;
   }
 
  private:

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "film/aov.h"
+#include "scene/large_vector.h"
 #include "tracer/sample.h"
 
 namespace restframe {
@@ -25,12 +27,16 @@ class Picture {
   bool has_data() const { return !channels_.empty(); }
   // No pixel of the beauty is covered by anything.
   bool shows_nothing() const;
-  const std::vector<Vec4f>& rgba() const { return rgba_; }
+  const LargeVector<Vec4f>& rgba() const { return rgba_; }
   const std::vector<ChannelPixels>& channels() const { return channels_; }
 
-  void set_radiance(int x, int y, const Vec4f& rgba) {
-    if (!rgba_.empty()) rgba_[index(x, y)] = rgba;
+  // The pixels from (x, y) on to the right, which must lie in the picture.
+  void set_radiance_row(int x, int y, std::span<const Vec4f> pixels) {
+    if (rgba_.empty()) return;
+    Vec4f* to = &rgba_[index(x, y)];
+    for (const Vec4f& pixel : pixels) *to++ = pixel;
   }
+  void set_radiance(int x, int y, const Vec4f& rgba) { set_radiance_row(x, y, {&rgba, 1}); }
   void set_data(int x, int y, const SurfaceData& data);
 
  private:
@@ -41,7 +47,7 @@ class Picture {
 
   int width_, height_;
   DataUnits units_;
-  std::vector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
+  LargeVector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
   std::vector<ChannelPixels> channels_;
 };
 

@@ -7,7 +7,7 @@ namespace restframe {
 // Sets lane i if it is in the group, without a branch.
 template <class T>
 void set_in(const Lanes<std::int32_t>& group, int i, Lanes<T>& lanes, T value) {
-  lanes[i] = group[i] != 0 ? value : lanes[i];
+  blend(group[i] != 0, lanes[i], value);
 }
 inline void set_in(const Lanes<std::int32_t>& group, int i, Vec3fLanes& lanes, const Vec3f& v) {
   set_in(group, i, lanes.x, v.x);

@@ -22,6 +22,20 @@ struct alignas(64) Lanes {
   }
 };
 
+// value = condition ? by : value. Both are there before it is chosen: no lane is read under a mask.
+template <class T>
+inline void blend(bool condition, T& value, T by) {
+  const T before = value;
+  value = condition ? by : before;
+}
+
+inline bool any_active(const Lanes<std::int32_t>& active) {
+  std::int32_t any = 0;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) any |= active[i];
+  return any != 0;
+}
+
 struct Vec3Lanes {
   Lanes<double> x, y, z;
 

@@ -35,6 +35,7 @@ struct FramePart {
   std::vector<Vec3f> baked;          // of a mesh placed once, in a frame that holds others too
   std::span<const Vec3f> positions;  // what Embree sees: baked or the mesh's local ones
   std::span<const Triangle> triangles;
+  std::span<const CornerNormals> corner_normals;  // mesh coordinates; empty: the facets' own
 };
 
 // A packet in the traversal coordinates of one rest frame.
@@ -50,7 +51,8 @@ class RestFrame {
   RestFrame(const EmbreeDevice& device, const Scene& scene, std::span<const int> objects,
             std::span<const TraversableMesh> meshes, std::span<const int> uses_of_mesh);
 
-  // Replaces the lanes of `hits` that this frame is nearer to.
+  // Replaces the lanes of `hits` that this frame is nearer to. Frames are asked in the order of their
+  // indices: before frame 0, `hits` says only that nothing is hit.
   void intersect(const RayPacket& rays, int own_index, HitPacket& hits) const;
 
   void intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const;
@@ -111,7 +113,7 @@ class RestFrame {
   LocalRays localised(const RayPacket& rays) const;
   LocalRays localised(const MediumRayPacket& rays) const;
   void find_hits(LocalRays& local, const Lanes<double>& s_min, const Lanes<std::int32_t>& active,
-                 bool coherent, int own_index, HitPacket& hits) const;
+                 bool coherent, bool fresh, int own_index, HitPacket& hits) const;
   unsigned context_flags(const LocalRays& local, bool coherent) const;
   // Of a hit's triangle, in traversal coordinates.
   std::array<Vec3, 3> corners(const HitPacket& hits, int lane) const;

@@ -50,13 +50,6 @@ void clip_to_bounds(const Bounds& bounds, const Lanes<double>& s_min, const Lane
   }
 }
 
-bool any_active(const Lanes<std::int32_t>& active) {
-  std::int32_t any = 0;
-#pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) any |= active[i];
-  return any != 0;
-}
-
 // The origin moves to where the ray enters the bounds, so that floats only hold what is inside. The
 // direction is scaled to unit frequency and by the frame's `scale`: high velocities, and meshes placed in
 // small, make k longer than floats and Embree's asserts bear. A ray that is not in their range after that is
@@ -102,38 +95,46 @@ bool share_an_octant(const LocalRays& local) {
   return (signs & (signs >> 1) & 0b010101U) == 0U;
 }
 
-template <class T>
-void replace(bool condition, T& value, const T& by) {
-  value = condition ? by : value;
+// With `fresh`, nothing is in `hits` yet, and lanes that hit nothing get numbers that mean nothing.
+template <bool fresh, class T>
+inline void replace(bool condition, T& value, T by) {
+  if constexpr (fresh) {
+    value = by;
+  } else {
+    blend(condition, value, by);
+  }
 }
 
+template <bool fresh>
 void keep_hits(const LocalRays& local, const RTCRayHit16& query, int own_index, HitPacket& hits) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const bool hit = local.active[i] != 0 && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+    const std::uint32_t geometry = query.hit.geomID[i];
     const std::uint32_t instance = query.hit.instID[0][i];
-    const std::uint32_t part = instance == RTC_INVALID_GEOMETRY_ID ? query.hit.geomID[i] : instance;
-    replace(hit, hits.frame[i], own_index);
-    replace(hit, hits.part[i], part);
-    replace(hit, hits.triangle[i], query.hit.primID[i]);
-    replace(hit, hits.bary_u[i], query.hit.u[i]);
-    replace(hit, hits.bary_v[i], query.hit.v[i]);
-    replace(hit, hits.facet_normal.x[i], query.hit.Ng_x[i]);
-    replace(hit, hits.facet_normal.y[i], query.hit.Ng_y[i]);
-    replace(hit, hits.facet_normal.z[i], query.hit.Ng_z[i]);
-    replace(hit, hits.sight.x[i], local.sight.x[i]);
-    replace(hit, hits.sight.y[i], local.sight.y[i]);
-    replace(hit, hits.sight.z[i], local.sight.z[i]);
-    replace(hit, hits.s[i],
-            local.s_enter[i] + static_cast<double>(query.ray.tfar[i]) * local.s_of_unit[i]);
-    replace(hit, hits.rest_t[i], local.rest_t[i]);
-    replace(hit, hits.rest_k_t[i], local.rest_k_t[i]);
-    replace(hit, hits.origin.x[i], local.origin.x[i]);
-    replace(hit, hits.origin.y[i], local.origin.y[i]);
-    replace(hit, hits.origin.z[i], local.origin.z[i]);
-    replace(hit, hits.k.x[i], local.k.x[i]);
-    replace(hit, hits.k.y[i], local.k.y[i]);
-    replace(hit, hits.k.z[i], local.k.z[i]);
+    const std::int32_t active = local.active[i];
+    const bool hit = (active != 0) & (geometry != RTC_INVALID_GEOMETRY_ID);
+    const std::uint32_t part = instance == RTC_INVALID_GEOMETRY_ID ? geometry : instance;
+    const double s = local.s_enter[i] + static_cast<double>(query.ray.tfar[i]) * local.s_of_unit[i];
+    blend(hit, hits.frame[i], own_index);
+    blend(hit, hits.s[i], s);
+    replace<fresh>(hit, hits.part[i], part);
+    replace<fresh>(hit, hits.triangle[i], query.hit.primID[i]);
+    replace<fresh>(hit, hits.bary_u[i], query.hit.u[i]);
+    replace<fresh>(hit, hits.bary_v[i], query.hit.v[i]);
+    replace<fresh>(hit, hits.facet_normal.x[i], query.hit.Ng_x[i]);
+    replace<fresh>(hit, hits.facet_normal.y[i], query.hit.Ng_y[i]);
+    replace<fresh>(hit, hits.facet_normal.z[i], query.hit.Ng_z[i]);
+    replace<fresh>(hit, hits.sight.x[i], local.sight.x[i]);
+    replace<fresh>(hit, hits.sight.y[i], local.sight.y[i]);
+    replace<fresh>(hit, hits.sight.z[i], local.sight.z[i]);
+    replace<fresh>(hit, hits.rest_t[i], local.rest_t[i]);
+    replace<fresh>(hit, hits.rest_k_t[i], local.rest_k_t[i]);
+    replace<fresh>(hit, hits.origin.x[i], local.origin.x[i]);
+    replace<fresh>(hit, hits.origin.y[i], local.origin.y[i]);
+    replace<fresh>(hit, hits.origin.z[i], local.origin.z[i]);
+    replace<fresh>(hit, hits.k.x[i], local.k.x[i]);
+    replace<fresh>(hit, hits.k.y[i], local.k.y[i]);
+    replace<fresh>(hit, hits.k.z[i], local.k.z[i]);
   }
 }
 
@@ -202,8 +203,8 @@ unsigned RestFrame::context_flags(const LocalRays& local, bool coherent) const {
 }
 
 void RestFrame::find_hits(LocalRays& local, const Lanes<double>& s_min,
-                          const Lanes<std::int32_t>& active, bool coherent, int own_index,
-                          HitPacket& hits) const {
+                          const Lanes<std::int32_t>& active, bool coherent, bool fresh,
+                          int own_index, HitPacket& hits) const {
   clip_to_bounds(bounds_, s_min, hits.s, active, local);
   if (!any_active(local.active)) return;
   RTCRayHit16 query;
@@ -217,17 +218,21 @@ void RestFrame::find_hits(LocalRays& local, const Lanes<double>& s_min,
   rtcInitIntersectContext(&context);
   context.flags = static_cast<RTCIntersectContextFlags>(context_flags(local, coherent));
   rtcIntersect16(&local.active[0], traversed_, &context, &query);
-  keep_hits(local, query, own_index, hits);
+  if (fresh) {
+    keep_hits<true>(local, query, own_index, hits);
+  } else {
+    keep_hits<false>(local, query, own_index, hits);
+  }
 }
 
 void RestFrame::intersect(const RayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
-  find_hits(local, rays.s_min, rays.active, rays.coherent, own_index, hits);
+  find_hits(local, rays.s_min, rays.active, rays.coherent, own_index == 0, own_index, hits);
 }
 
 void RestFrame::intersect(const MediumRayPacket& rays, int own_index, HitPacket& hits) const {
   LocalRays local = localised(rays);
-  find_hits(local, rays.s_min, rays.active, false, own_index, hits);
+  find_hits(local, rays.s_min, rays.active, false, false, own_index, hits);
 }
 
 void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,

@@ -22,6 +22,7 @@ TraversableMesh traversable(const Mesh& mesh) {
   TraversableMesh result;
   result.mesh = &mesh;
   result.bounds = bounds_of(mesh);
+  result.corner_normals = corner_normals(mesh);
   if (is_padded(mesh) && !is_far_from_origin(result.bounds)) return result;
 
   result.offset = result.bounds.center();

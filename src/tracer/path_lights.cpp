@@ -22,10 +22,9 @@ void PathWalk::add_lights() {
   for_each_group(hits_.frame, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
     const auto* from_world = &stage_.frames.frame(hits_.frame[first]).coordinates().from_world;
     lit.all_rest = lit.all_rest && from_world->is_identity();
-#pragma GCC ivdep
     for (int i = 0; i < packet_size; ++i) set_in(group, i, lit.rest_from_world, from_world);
   });
-  if (!any(lit.active)) return;
+  if (!any_active(lit.active)) return;
   ViewLobeLanes lobes;
   view_lobes(vertices_.bsdf, lobes);
   for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
@@ -49,7 +48,7 @@ void PathWalk::add_light(const LightPlace& light, const LitLanes& lit, const Vie
         (light_of_lane.x == 0.0F) & (light_of_lane.y == 0.0F) & (light_of_lane.z == 0.0F);
     shadows.active[i] = dark ? 0 : from_light.active[i];
   }
-  if (!any(shadows.active)) return;
+  if (!any_active(shadows.active)) return;
   shadows.origin = at.event;
   shadows.k = from_light.k;
   stage_.frames.find_clear(hits_, at, from_light.direction, lit.omega, shadows.active,

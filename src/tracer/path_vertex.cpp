@@ -46,7 +46,7 @@ void PathWalk::meet() {
     }
   });
   if (shines.any) add_emission(shines);
-  if (!any(vertices_.active)) return;
+  if (!any_active(vertices_.active)) return;
   set_geometry();
   if (!stage_.lights.empty()) add_lights();
   for (int lane = 0; lane < packet_size; ++lane) {
@@ -92,8 +92,10 @@ void PathWalk::set_plain_material(const PlainMaterial& material, const Lanes<std
     set_in(group, i, bsdf.alpha, plain.alpha);
     set_in(group, i, bsdf.eta, plain.ior);
   }
+  const bool colored = surfaces_.colored;
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    set_in(group, i, bsdf.base, plain.base * Vec3f(surfaces_.color[i]));
+    set_in(group, i, bsdf.base, colored ? plain.base * Vec3f(surfaces_.color[i]) : plain.base);
   }
   shines.any = shines.any || plain.emission != Vec3f(0);
   for (int lane = 0; inside_ && lane < packet_size; ++lane) {

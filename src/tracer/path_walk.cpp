@@ -28,7 +28,7 @@ void PathWalk::run() {
   for (; round_ < most_rounds; ++round_) {
     if (!find_surfaces()) break;
     stop_or_pass();
-    if (any(met_)) meet();
+    if (any_active(met_)) meet();
   }
 }
 
@@ -40,8 +40,8 @@ void PathWalk::take_radiance(RadianceLanes& radiance) const {
 
 // What the next surfaces are, and where exactly; false if no path goes on.
 bool PathWalk::find_surfaces() {
-  const bool outside = any(rays_.active);
-  inside_ = stage_.has_media && any(in_medium_.active);
+  const bool outside = any_active(rays_.active);
+  inside_ = stage_.has_media && any_active(in_medium_.active);
   if (outside) stage_.frames.nearest(rays_, hits_);
   if (inside_) stage_.frames.nearest(in_medium_, hits_);
 #pragma GCC ivdep
@@ -87,7 +87,7 @@ void PathWalk::add_environments(int lane) {
 
 // Sets which paths the surfaces stop; the others pass them, or have met nothing.
 void PathWalk::stop_or_pass() {
-  if (any(missed_)) miss();
+  if (any_active(missed_)) miss();
   met_.fill(0);
   for_each_group(surfaces_.material, hit_, [&](int first, const Lanes<std::int32_t>& group) {
     if (plain(first).always && !inside_) return stop_at_plain(plain(first), group);
@@ -114,7 +114,7 @@ void PathWalk::stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_
     met_[i] |= group[i] & stops;
     passing[i] = group[i] & ~stops;
   }
-  if (!any(passing)) return;
+  if (!any_active(passing)) return;
   for (int lane = 0; lane < packet_size; ++lane) {
     if (passing[lane] != 0) pass(lane);
   }

@@ -127,12 +127,4 @@ class PathWalk {
   MediumCrossing crossing_;
 };
 
-template <class T>
-bool any(const Lanes<T>& active) {
-  T found = 0;
-#pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) found |= active[i];
-  return found != 0;
-}
-
 }  // namespace restframe

@@ -13,7 +13,16 @@ constexpr std::uint32_t most_layers = 1000;
 
 Preview::Preview(const Scene& scene, const FrameSet& frames)
     : scene_(scene), frames_(frames), places_(object_places(scene, frames)) {
-  for (const Material& material : scene.materials) plain_.push_back(plain(material));
+  simple_.push_back({Vec4f(0), Vec4f(0), 1, 1});
+  for (const Material& material : scene.materials) {
+    plain_.push_back(plain(material));
+    simple_.push_back(simple(plain_.back()));
+  }
+}
+
+Preview::Simple Preview::simple(const Plain& plain) {
+  if (!plain.always) return {};
+  return {plain.lit, plain.unlit + plain.emission, 1, plain.double_sided ? 1 : 0};
 }
 
 Preview::Plain Preview::plain(const Material& m) {
@@ -53,7 +62,7 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
   if (!plain.always) {
     shaded = shade_changing(met, evaluator);
   } else if (surfaces.back[met.lane] == 0 || plain.double_sided) {
-    shaded = (plain.lit * surfaces.cosine[met.lane] + plain.unlit) * surfaces.color[met.lane] +
+    shaded = (plain.lit * surfaces.cosine[met.lane] + plain.unlit) * surfaces.color_at(met.lane) +
              plain.emission;
   }
   if (scene_.render.beaming) {
@@ -61,6 +70,31 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
     shaded *= Vec4f(factor, factor, factor, 1.0F);
   }
   return shaded;
+}
+
+bool Preview::shade_simple(const RayPacket& rays, const HitPacket& hits,
+                           const SurfaceLanes& surfaces, RadianceLanes& radiance) const {
+  if (surfaces.colored || scene_.render.beaming) return false;
+  Lanes<std::int32_t> index, front;
+  Lanes<float> cosine;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const std::int32_t material = surfaces.material[i];
+    const std::int32_t back = surfaces.back[i];
+    const float c = surfaces.cosine[i];
+    const std::int32_t frame = hits.frame[i];
+    const bool hit = (rays.active[i] != 0) & (frame >= 0);
+    index[i] = hit ? material + 1 : 0;
+    front[i] = hit ? 1 - back : 1;
+    cosine[i] = hit ? c : 0.0F;
+  }
+  std::int32_t all = 1;
+  for (int i = 0; i < packet_size; ++i) {
+    const Simple& simple = simple_[static_cast<std::size_t>(index[i])];
+    all &= simple.ends & (front[i] | simple.both_sides);
+    radiance[i] = simple.lit * cosine[i] + simple.rest;
+  }
+  return all != 0;
 }
 
 SurfaceData Preview::data_of(const Met& met) const {
@@ -71,7 +105,6 @@ SurfaceData Preview::data_of(const Met& met) const {
 
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
                     RadianceLanes& radiance, SurfaceDataLanes* data) const {
-  radiance.fill(Vec4f(0));
   if (data != nullptr) data->fill({});
   HitPacket hits;
   SurfaceLanes surfaces;
@@ -79,6 +112,10 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
   for (std::uint32_t layer = 0; passing && layer < most_layers; ++layer) {
     frames_.nearest(rays, hits);
     surfaces_at(scene_, frames_, hits, rays.active, surfaces);
+    if (layer == 0) {
+      if (data == nullptr && shade_simple(rays, hits, surfaces, radiance)) return;
+      radiance.fill(Vec4f(0));
+    }
     passing = false;
     for (int lane = 0; lane < packet_size; ++lane) {
       if (rays.active[lane] == 0) continue;

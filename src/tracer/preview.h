@@ -30,6 +30,18 @@ class Preview {
   };
   static Plain plain(const Material& material);
 
+  // Like Plain, where vertices have no colours. Of the material before the first: where nothing is hit.
+  struct Simple {
+    Vec4f lit{0}, rest{0};
+    std::int32_t ends = 0;        // covers all that lies behind, seen from the front ...
+    std::int32_t both_sides = 0;  // ... and from the back
+  };
+  static Simple simple(const Plain& plain);
+
+  // The usual packet at once: false if anything in it needs more than Simple says.
+  bool shade_simple(const RayPacket& rays, const HitPacket& hits, const SurfaceLanes& surfaces,
+                    RadianceLanes& radiance) const;
+
   // One lane of what a packet met. Hits are refined where something depends on exactly when they are.
   struct Met {
     const RayPacket& rays;
@@ -44,7 +56,8 @@ class Preview {
   const Scene& scene_;
   const FrameSet& frames_;
   std::vector<ObjectPlace> places_;
-  std::vector<Plain> plain_;  // a material each
+  std::vector<Plain> plain_;    // a material each
+  std::vector<Simple> simple_;  // nothing, then a material each
 };
 
 }  // namespace restframe

@@ -3,7 +3,9 @@
 
 #include "tracer/surface.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace restframe {
 namespace {
@@ -27,50 +29,36 @@ Lanes<std::int32_t> take_group(const HitPacket& hits, int first, Lanes<std::int3
   Lanes<std::int32_t> group;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const bool same = hits.frame[i] == frame && hits.part[i] == part;
-    group[i] = same ? waiting[i] : 0;
-    waiting[i] = same ? 0 : waiting[i];
+    const std::uint32_t own_part = hits.part[i];
+    const std::int32_t waits = waiting[i];
+    const bool same = (hits.frame[i] == frame) & (own_part == part);
+    group[i] = same ? waits : 0;
+    waiting[i] = same ? 0 : waits;
   }
   return group;
 }
 
-// The triangle of each lane of the group; lanes outside repeat the first one's, which is safe to read.
-Lanes<const Triangle*> triangles_of(const Mesh& mesh, const HitPacket& hits, int first,
-                                    const Lanes<std::int32_t>& group) {
-  Lanes<const Triangle*> triangles;
+// Lanes outside the group repeat its first one's, which is safe to read.
+void gather_normals(std::span<const CornerNormals> normals, const HitPacket& hits, int first,
+                    const Lanes<std::int32_t>& group, CornerNormalLanes& corners) {
+  Lanes<std::uint32_t> triangle;
+  const std::uint32_t first_triangle = hits.triangle[first];
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    triangles[i] = &mesh.triangles[hits.triangle[group[i] != 0 ? i : first]];
-    __builtin_prefetch(triangles[i]);
-  }
-  return triangles;
-}
-
-// Normals of the triangles' corners.
-struct CornerNormals {
-  Vec3fLanes a, b, c;
-};
-
-void gather_normals(const Mesh& mesh, const Lanes<const Triangle*>& triangles,
-                    CornerNormals& corners) {
-  // All misses under way before the first is waited for.
-  for (const Triangle* t : triangles.lane) {
-    for (const std::uint32_t vertex : *t) __builtin_prefetch(&mesh.normals[vertex]);
+    const std::uint32_t own = hits.triangle[i];
+    triangle[i] = group[i] != 0 ? own : first_triangle;
   }
   for (int i = 0; i < packet_size; ++i) {
-    const Triangle& t = *triangles[i];
-    corners.a.set(i, mesh.normals[t[0]]);
-    corners.b.set(i, mesh.normals[t[1]]);
-    corners.c.set(i, mesh.normals[t[2]]);
+    const CornerNormals& n = normals[triangle[i]];
+    for (std::size_t word = 0; word < n.size(); ++word) corners[word][i] = n[word];
   }
 }
 
 // Normals in mesh coordinates, of any length.
-void interpolate(const CornerNormals& corners, const HitPacket& hits, Vec3fLanes& normal) {
+void interpolate(const CornerNormalLanes& corners, const HitPacket& hits, Vec3fLanes& normal) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const float u = hits.bary_u[i];
-    const float v = hits.bary_v[i];
-    normal.set(i, (1.0F - u - v) * corners.a.at(i) + u * corners.b.at(i) + v * corners.c.at(i));
+    normal.set(i, interpolated(corners, i, hits.bary_u[i], hits.bary_v[i]));
   }
 }
 
@@ -95,58 +83,87 @@ void orient(const Vec3fLanes& facet, const Vec3fLanes& normal, const Vec3fLanes&
     const float squared = glm::dot(normal.at(i), normal.at(i));
     const float inverse_length = 1.0F / std::sqrt(squared > tiny ? squared : tiny);
     const float towards_ray = along > 0.0F ? -inverse_length : inverse_length;
-    surfaces.back[i] = in_group ? (facing > 0.0F ? 1 : 0) : surfaces.back[i];
-    surfaces.cosine[i] = in_group ? -along * towards_ray : surfaces.cosine[i];
-    surfaces.normal.x[i] = in_group ? normal.x[i] * towards_ray : surfaces.normal.x[i];
-    surfaces.normal.y[i] = in_group ? normal.y[i] * towards_ray : surfaces.normal.y[i];
-    surfaces.normal.z[i] = in_group ? normal.z[i] * towards_ray : surfaces.normal.z[i];
+    blend(in_group, surfaces.back[i], facing > 0.0F ? 1 : 0);
+    blend(in_group, surfaces.cosine[i], -along * towards_ray);
+    blend(in_group, surfaces.normal.x[i], normal.x[i] * towards_ray);
+    blend(in_group, surfaces.normal.y[i], normal.y[i] * towards_ray);
+    blend(in_group, surfaces.normal.z[i], normal.z[i] * towards_ray);
   }
 }
 
-void assign_group(const Placed& placed, const Lanes<const Triangle*>& triangles,
-                  const HitPacket& hits, const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
+// Of many ranges by bisection, lane by lane; the usual few are compared with all lanes at once.
+void assign_materials(const Placed& placed, const HitPacket& hits, const Lanes<std::int32_t>& group,
+                      SurfaceLanes& surfaces) {
+  constexpr std::size_t few = 4;
+  const std::vector<MaterialRange>& ranges = placed.mesh.materials;
+  const std::vector<int>& materials = placed.object.materials;
+  const std::size_t compared = std::min(ranges.size(), few);
+  for (std::size_t range = 0; range < compared; ++range) {
+    const std::uint32_t from = ranges[range].first_triangle;
+    const std::int32_t material = materials[static_cast<std::size_t>(ranges[range].slot)];
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) {
+      const std::uint32_t triangle = hits.triangle[i];
+      blend((group[i] != 0) & (triangle >= from), surfaces.material[i], material);
+    }
+  }
+  if (ranges.size() <= few) return;
   for (int i = 0; i < packet_size; ++i) {
     if (group[i] == 0) continue;
     const int slot = material_slot(placed.mesh, hits.triangle[i]);
-    surfaces.object[i] = placed.part.object;
-    surfaces.material[i] = placed.object.materials[static_cast<std::size_t>(slot)];
-    surfaces.color[i] = Vec4f(1);
-    if (!placed.mesh.colors.empty()) {
-      const Triangle& t = *triangles[i];
-      const float u = hits.bary_u[i];
-      const float v = hits.bary_v[i];
-      surfaces.color[i] = (1.0F - u - v) * placed.mesh.colors[t[0]] + u * placed.mesh.colors[t[1]] +
-                          v * placed.mesh.colors[t[2]];
-    }
+    surfaces.material[i] = materials[static_cast<std::size_t>(slot)];
+  }
+}
+
+void assign_object(int object, const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    blend(group[i] != 0, surfaces.object[i], object);
+  }
+}
+
+void assign_colors(const Mesh& mesh, const HitPacket& hits, const Lanes<std::int32_t>& group,
+                   SurfaceLanes& surfaces) {
+  if (!surfaces.colored) surfaces.color.fill(Vec4f(1));
+  surfaces.colored = true;
+  for (int i = 0; i < packet_size; ++i) {
+    if (group[i] == 0) continue;
+    const Triangle& t = mesh.triangles[hits.triangle[i]];
+    const float u = hits.bary_u[i];
+    const float v = hits.bary_v[i];
+    surfaces.color[i] =
+        (1.0F - u - v) * mesh.colors[t[0]] + u * mesh.colors[t[1]] + v * mesh.colors[t[2]];
   }
 }
 
 void shade_group(const Placed& placed, const HitPacket& hits, int first,
                  const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
-  const Lanes<const Triangle*> triangles = triangles_of(placed.mesh, hits, first, group);
   Vec3fLanes facet;
   to_rest(placed.part.rest_from_facet_normal, hits.facet_normal, facet);
-  if (placed.mesh.normals.empty()) {
+  if (placed.part.corner_normals.empty()) {
     orient(facet, facet, hits.sight, group, surfaces);
   } else {
-    CornerNormals corners;
-    gather_normals(placed.mesh, triangles, corners);
+    CornerNormalLanes corners;
+    gather_normals(placed.part.corner_normals, hits, first, group, corners);
     Vec3fLanes local, normal;
     interpolate(corners, hits, local);
     to_rest(placed.part.rest_from_mesh_normal, local, normal);
     orient(facet, normal, hits.sight, group, surfaces);
   }
-  assign_group(placed, triangles, hits, group, surfaces);
+  assign_object(placed.part.object, group, surfaces);
+  assign_materials(placed, hits, group, surfaces);
+  if (!placed.mesh.colors.empty()) assign_colors(placed.mesh, hits, group, surfaces);
 }
 
 }  // namespace
 
 void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
                  const Lanes<std::int32_t>& active, SurfaceLanes& surfaces) {
+  surfaces.colored = false;
   Lanes<std::int32_t> waiting;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) waiting[i] = hits.frame[i] >= 0 ? active[i] : 0;
-  for (int first = 0; first < packet_size; ++first) {
+  for (int first = 0; any_active(waiting); ++first) {
     if (waiting[first] == 0) continue;
     const Lanes<std::int32_t> group = take_group(hits, first, waiting);
     shade_group(placed(scene, frames, hits, first), hits, first, group, surfaces);

@@ -11,7 +11,10 @@ struct SurfaceLanes {
   Vec3fLanes normal;         // shading normal, unit, towards the ray
   Lanes<float> cosine;       // between the ray and the shading normal, >= 0
   Lanes<std::int32_t> back;  // 1: met from behind
+  bool colored = false;      // else no vertex met has a colour, and `color` means nothing
   Lanes<Vec4f> color;        // of the vertices
+
+  Vec4f color_at(int lane) const { return colored ? color[lane] : Vec4f(1); }
 };
 
 // For the active lanes that hit something.

@@ -15,7 +15,7 @@ float opacity(const MetSurface& met, float texture_alpha, double clock,
   const Material& material = met.material();
   if (material.alpha_mode == AlphaMode::opaque) return 1.0F;
   const float alpha =
-      evaluator(material.opacity, clock) * texture_alpha * met.surfaces.color[met.lane].w;
+      evaluator(material.opacity, clock) * texture_alpha * met.surfaces.color_at(met.lane).w;
   if (material.alpha_mode == AlphaMode::mask) return alpha >= material.alpha_cutoff ? 1.0F : 0.0F;
   return glm::clamp(alpha, 0.0F, 1.0F);
 }
@@ -31,7 +31,7 @@ float coverage(const MetSurface& met, float texture_alpha, double clock,
 Vec3f base_color(const MetSurface& met, const Vec4f& texture, double clock,
                  TemporalEvaluator& evaluator) {
   return evaluator(met.material().base_color, clock) * Vec3f(texture) *
-         Vec3f(met.surfaces.color[met.lane]);
+         Vec3f(met.surfaces.color_at(met.lane));
 }
 
 Vec3f emission(const MetSurface& met, double clock, TemporalEvaluator& evaluator) {
