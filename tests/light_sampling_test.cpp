@@ -22,6 +22,38 @@ using reference::widened;
 
 constexpr double kLightSpeed = 3;  // scene lengths a second
 
+// One lane of LitLanes and of IncidentLanes.
+struct LitEvent {
+  Event<in::World> event;
+  Boost<in::Rest, in::World> rest_from_world;
+  double omega = 1;
+};
+struct Incident {
+  WaveVector<in::World> k;
+  double s_light = 0;
+  Vec3f direction{0}, irradiance{0};
+};
+
+// The odd lanes ask for something else, from another rest frame unless all rest in the world.
+EventLanes<in::World> events_of(const LitEvent& event) {
+  EventLanes<in::World> events;
+  for (int i = 0; i < packet_size; ++i) {
+    events.set(i, i % 2 == 0 ? event.event : Event<in::World>{4, {-7, 5, 3}});
+  }
+  return events;
+}
+LitLanes lanes_of(const LitEvent& event) {
+  static const Boost<in::Rest, in::World> elsewhere(Velocity::from_beta({0.1, 0.2, -0.3}));
+  LitLanes lit;
+  lit.all_rest = event.rest_from_world.is_identity();
+  for (int i = 0; i < packet_size; ++i) {
+    lit.rest_from_world[i] = i % 2 == 0 || lit.all_rest ? &event.rest_from_world : &elsewhere;
+    lit.omega[i] = i % 2 == 0 ? event.omega : 2.5;
+    lit.active[i] = i == 4 ? 0 : -1;
+  }
+  return lit;
+}
+
 // A scene of one light, and what a surface event asks of it.
 struct Lit {
   Scene scene;
@@ -31,7 +63,15 @@ struct Lit {
   Light& light() { return scene.lights[0]; }
   std::optional<Incident> incident(bool beaming = false) const {
     TemporalEvaluator evaluator(scene.functions);
-    return restframe::incident(light_places(scene)[0], event, kLightSpeed, beaming, evaluator);
+    IncidentLanes found;
+    restframe::incident(light_places(scene)[0], events_of(event), lanes_of(event),
+                        {kLightSpeed, beaming}, evaluator, found);
+    EXPECT_EQ(found.active[4], 0);
+    EXPECT_EQ(found.active[2], found.active[12]);
+    constexpr int lane = 12;
+    if (found.active[lane] == 0) return std::nullopt;
+    return Incident{found.k.at(lane), found.s_light[lane], found.direction.at(lane),
+                    found.irradiance.at(lane)};
   }
   // The surface asks for light of `omega` times the camera's frequency.
   void move_surface(const Velocity& velocity, double omega) {

@@ -1,6 +1,7 @@
 #include "frames/frame_set.h"
 
 #include "frames/frame_groups.h"
+#include "frames/lane_groups.h"
 
 namespace restframe {
 namespace {
@@ -75,6 +76,29 @@ void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
                             Lanes<std::int32_t>& blocked) const {
   blocked.fill(0);
   for (const RestFrame& frame : frames_) frame.find_blocked(rays, s_max, blocked);
+}
+
+void FrameSet::locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,
+                      HitEvents& events) const {
+  Lanes<std::uint64_t> parts;
+  Lanes<std::int32_t> waiting;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const bool hit = hits.frame[i] >= 0 && active[i] != 0;
+    parts[i] = (static_cast<std::uint64_t>(hits.frame[i]) << 32) | hits.part[i];
+    waiting[i] = hit ? -1 : 0;
+  }
+  for_each_group(parts, waiting, [&](int first, const Lanes<std::int32_t>& group) {
+    frame(hits.frame[first]).locate(hits, first, group, by_clock, events);
+  });
+}
+
+void FrameSet::find_clear(const HitPacket& hits, const HitEvents& from, const Vec3fLanes& direction,
+                          const Lanes<double>& omega, const Lanes<std::int32_t>& active,
+                          Lanes<double>& s_clear) const {
+  for_each_group(hits.frame, active, [&](int first, const Lanes<std::int32_t>& group) {
+    frame(hits.frame[first]).find_clear(from, direction, omega, group, s_clear);
+  });
 }
 
 }  // namespace restframe

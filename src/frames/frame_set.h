@@ -28,6 +28,17 @@ class FrameSet {
   void find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
                     Lanes<std::int32_t>& blocked) const;
 
+  // Gives the hits of the active lanes their s in double, and tells their events. by_clock: as exactly
+  // as clocks and textures ask for, else as rays that leave the surfaces do.
+  void locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,
+              HitEvents& events) const;
+
+  // From which s on rays that leave such hits are clear of the surface. direction: unit, in the axes
+  // of the hit's rest frame; omega: the rays' frequency there.
+  void find_clear(const HitPacket& hits, const HitEvents& from, const Vec3fLanes& direction,
+                  const Lanes<double>& omega, const Lanes<std::int32_t>& active,
+                  Lanes<double>& s_clear) const;
+
   // Gives one hit its s in double: for whatever depends on where or when exactly it is.
   void refine(HitPacket& hits, int lane) const { frame(hits.frame[lane]).refine(hits, lane); }
 

@@ -116,6 +116,7 @@ RestFrame::RestFrame(const EmbreeDevice& device, const Scene& scene, std::span<c
   } else {
     build_many(device, meshes, uses_of_mesh);
   }
+  set_noise_at_end();
 }
 
 void RestFrame::build_single(std::span<const TraversableMesh> meshes) {
@@ -168,6 +169,12 @@ void RestFrame::build_many(const EmbreeDevice& device, std::span<const Traversab
   }
   rtcCommitScene(own_scene_.get());
   device.check();
+}
+
+void RestFrame::set_noise_at_end() {
+  constexpr double float_noise = 16.0 * 0x1p-24;
+  const double reach = glm::length(bounds_.center()) + 0.5 * glm::length(bounds_.extent());
+  noise_at_end_ = float_noise * reach / traversal_scale_;
 }
 
 void RestFrame::set_traversal(const Mat4& rest_from_traversal) {

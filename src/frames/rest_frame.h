@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "frames/embree_handles.h"
+#include "frames/hit_events.h"
 #include "frames/packet.h"
 #include "frames/traversable_mesh.h"
 #include "physics/lorentz.h"
@@ -39,6 +40,8 @@ struct FramePart {
 
 // A packet in the traversal coordinates of one rest frame.
 struct LocalRays;
+// The corners of 16 triangles.
+struct CornerLanes;
 
 class RestFrame {
  public:
@@ -62,6 +65,17 @@ class RestFrame {
   // Where, along the ray of a hit, the next search begins when the surface lets it pass: behind the
   // hit by more than floats can tell apart here.
   double s_behind(const HitPacket& hits, int lane) const;
+
+  // Gives hits on one part of this frame, those of `group`, their s in double, and tells their events.
+  // first: a lane of the group. by_clock: as exactly as clocks and textures ask for; else onto the plane
+  // that Embree's floats make of the triangle, which is all that rays that leave it ask for.
+  void locate(HitPacket& hits, int first, const Lanes<std::int32_t>& group, bool by_clock,
+              HitEvents& events) const;
+
+  // From which s on rays that leave hits of this frame are clear of the surface, for the lanes of
+  // `group`. direction: unit, rest-frame axes. omega: the rays' frequency in this frame.
+  void find_clear(const HitEvents& from, const Vec3fLanes& direction, const Lanes<double>& omega,
+                  const Lanes<std::int32_t>& group, Lanes<double>& s_clear) const;
 
   // Gives a hit of this frame its s in double, from the triangle's corners.
   void refine(HitPacket& hits, int lane) const;
@@ -103,7 +117,13 @@ class RestFrame {
   unsigned context_flags(const LocalRays& local, bool coherent) const;
   // Of a hit's triangle, in traversal coordinates.
   std::array<Vec3, 3> corners(const HitPacket& hits, int lane) const;
-  double noise_at_end() const;
+  // Lanes outside of the group get the triangle of lane `first`.
+  void gather_corners(const HitPacket& hits, int first, const Lanes<std::int32_t>& group,
+                      CornerLanes& corners) const;
+  void locate_on_plane(HitPacket& hits, int first, const Lanes<std::int32_t>& group,
+                       HitEvents& events) const;
+  void set_events(const HitPacket& hits, const Lanes<std::int32_t>& group, HitEvents& events) const;
+  void set_noise_at_end();
   double clearance(const HitPacket& hits, int lane, const Vec3& traversal_k) const;
 
   AnchoredFrame<in::Rest> coordinates_;
@@ -114,7 +134,10 @@ class RestFrame {
   Mat3 rest_from_traversal_linear_{1}, traversal_from_rest_linear_{1};
   Vec3 rest_from_traversal_offset_{0};
   double traversal_scale_ = 1;  // the longest that a unit vector of the rest frame gets, about
-  bool octants_hold_ = true;    // rays of one octant stay so inside every instance
+  // What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on
+  // a surface is not behind it.
+  double noise_at_end_ = 0;
+  bool octants_hold_ = true;          // rays of one octant stay so inside every instance
   bool traversal_is_turned_ = false;  // or scaled: the linear part is not the identity
 };
 

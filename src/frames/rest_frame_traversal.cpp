@@ -237,20 +237,12 @@ void RestFrame::intersect(const MediumRayPacket& rays, int own_index, HitPacket&
   find_hits(local, rays.s_min, rays.active, false, false, own_index, hits);
 }
 
-// What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on a
-// surface is not behind it.
-double RestFrame::noise_at_end() const {
-  constexpr double float_noise = 16.0 * 0x1p-24;
-  const double reach = glm::length(bounds_.center()) + 0.5 * glm::length(bounds_.extent());
-  return float_noise * reach / traversal_scale_;
-}
-
 RESTFRAME_CLONES void RestFrame::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
                                               Lanes<std::int32_t>& blocked) const {
   LocalRays local = localised(rays);
   Lanes<std::int32_t> open;
   Lanes<double> s_end;
-  const double margin = noise_at_end();
+  const double margin = noise_at_end_;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     open[i] = blocked[i] == 0 ? rays.active[i] : 0;

@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
+
+#include "tracer/bsdf_terms.h"
 
 namespace restframe {
 namespace {
-
-constexpr float pi = glm::pi<float>();
-
-float squared(float x) {
-  return x * x;
-}
 
 // Columns: two tangents and the normal (Duff and others 2017: no branch near the poles).
 glm::mat3 basis_around(const Vec3f& n) {
@@ -30,12 +25,6 @@ Vec3f cosine_distributed(const Vec3f& normal, float u, float v) {
   return basis_around(normal) * local;
 }
 
-// Smith's lambda of GGX: hidden over visible microfacet area, seen at this cosine.
-float smith_lambda(float cosine, float alpha) {
-  const float c2 = cosine * cosine;
-  return 0.5F * (std::sqrt(1.0F + squared(alpha) * (1.0F - c2) / c2) - 1.0F);
-}
-
 // Of the microfacets visible from `view`, the part that is also visible along `direction`
 // (height-correlated Smith).
 float shadowing(const Bsdf& b, const Vec3f& direction) {
@@ -43,11 +32,6 @@ float shadowing(const Bsdf& b, const Vec3f& direction) {
   const float lambda =
       smith_lambda(std::max(1e-4F, std::abs(glm::dot(b.normal, direction))), b.alpha);
   return (1.0F + lambda_view) / (1.0F + lambda_view + lambda);
-}
-
-float ggx_density(float cosine, float alpha) {
-  const float d = 1.0F + squared(cosine) * (squared(alpha) - 1.0F);
-  return squared(alpha) / (pi * d * d);
 }
 
 // A microfacet's normal, distributed as those visible from `view` (Heitz 2018).
@@ -69,11 +53,6 @@ Vec3f visible_microfacet(const Bsdf& b, float u, float v) {
   const float z = std::sqrt(std::max(0.0F, 1.0F - x * x - y * y));
   const Vec3f n = x * across + y * along + z * stretched;
   return basis * glm::normalize(Vec3f(b.alpha * n.x, b.alpha * n.y, std::max(1e-6F, n.z)));
-}
-
-Vec3f schlick(const Vec3f& normal_reflectance, float cos_theta) {
-  const float c = std::clamp(1.0F - cos_theta, 0.0F, 1.0F);
-  return normal_reflectance + (Vec3f(1) - normal_reflectance) * (c * c * c * c * c);
 }
 
 std::optional<Scattered> reflect_off(const Bsdf& b, const Vec3f& microfacet,
@@ -125,15 +104,6 @@ std::optional<Scattered> scatter_dielectric(const Bsdf& b, float lobe, float u, 
 
 }  // namespace
 
-float fresnel_dielectric(float cos_theta, float eta) {
-  const float sin2_beyond = (1.0F - squared(cos_theta)) / squared(eta);
-  if (sin2_beyond >= 1.0F) return 1.0F;
-  const float cos_beyond = std::sqrt(1.0F - sin2_beyond);
-  const float across = (cos_theta - eta * cos_beyond) / (cos_theta + eta * cos_beyond);
-  const float along = (eta * cos_theta - cos_beyond) / (eta * cos_theta + cos_beyond);
-  return 0.5F * (squared(across) + squared(along));
-}
-
 std::optional<Vec3f> refracted(const Vec3f& view, const Vec3f& normal, float eta) {
   const float cos_theta = glm::dot(view, normal);
   const float sin2_beyond = (1.0F - squared(cos_theta)) / squared(eta);
@@ -147,25 +117,6 @@ std::optional<Scattered> scatter(const Bsdf& b, float lobe, float u, float v) {
     return reflect_off(b, microfacet, schlick(b.base, glm::dot(b.view, microfacet)));
   }
   return scatter_dielectric(b, (lobe - b.metallic) / (1.0F - b.metallic), u, v);
-}
-
-Vec3f scattered_fraction(const Bsdf& b, const Vec3f& direction) {
-  const float cos_light = glm::dot(b.normal, direction);
-  const float cos_view = glm::dot(b.normal, b.view);
-  if (cos_light <= 0.0F || cos_view <= 0.0F || glm::dot(b.facet, direction) <= 0.0F)
-    return Vec3f(0);
-  const float dielectric = 1.0F - b.metallic;
-  Vec3f sum = b.base * (dielectric * (1.0F - b.transmission) *
-                        (1.0F - reflectance_at(b, b.normal)) * cos_light / pi);
-  if (b.alpha < smallest_alpha) return sum;
-  const Vec3f microfacet = glm::normalize(b.view + direction);
-  const float cos_half = std::max(0.0F, glm::dot(b.view, microfacet));
-  const float lambda_view = smith_lambda(std::max(1e-4F, cos_view), b.alpha);
-  const float facets = ggx_density(glm::dot(b.normal, microfacet), b.alpha) *
-                       shadowing(b, direction) / ((1.0F + lambda_view) * 4.0F * cos_view);
-  const Vec3f reflectance = b.metallic * schlick(b.base, cos_half) +
-                            Vec3f(dielectric * fresnel_dielectric(cos_half, b.eta));
-  return sum + reflectance * facets;
 }
 
 }  // namespace restframe

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "frames/packet.h"
 #include "physics/vectors.h"
 
 namespace restframe {
@@ -20,6 +21,30 @@ struct Bsdf {
   float eta = 1.5;  // index of refraction beyond the surface over that on the side of `view`
 };
 
+// 16 surfaces.
+struct BsdfLanes {
+  Vec3fLanes view, normal, facet, base;
+  Lanes<float> metallic, transmission, alpha, eta;
+
+  Bsdf at(int i) const {
+    return {view.at(i),  normal.at(i),    facet.at(i), base.at(i),
+            metallic[i], transmission[i], alpha[i],    eta[i]};
+  }
+};
+
+// What each lobe that lights are seen by needs of the view, whatever the light's direction.
+struct ViewLobe {
+  Vec3f diffuse{0};  // scattered below the surface, per steradian, but for the light's cosine
+  float cos_view = 1, lambda_view = 0;  // of the microfacets
+};
+struct ViewLobeLanes {
+  Vec3fLanes diffuse;
+  Lanes<float> cos_view, lambda_view;
+
+  ViewLobe at(int i) const { return {diffuse.at(i), cos_view[i], lambda_view[i]}; }
+};
+void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes);
+
 // A way on for a ray, chosen at random.
 struct Scattered {
   Vec3f direction{0};
@@ -33,6 +58,8 @@ std::optional<Scattered> scatter(const Bsdf& bsdf, float lobe, float u, float v)
 // The fraction of light from `direction` that goes to `view`, per steradian, times the cosine at the
 // surface. Without mirrors and clear glass (alpha below smallest_alpha): no light is met exactly.
 Vec3f scattered_fraction(const Bsdf& bsdf, const Vec3f& direction);
+void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
+                        const Vec3fLanes& direction, Vec3fLanes& fraction);
 
 // Below, a surface is taken for perfectly smooth.
 inline constexpr float smallest_alpha = 1e-3F;

@@ -1,116 +1,152 @@
 #include "tracer/light_sampling.h"
 
-#include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <limits>
 
+#include "frames/lane_groups.h"
 #include "physics/doppler.h"
+#include "tracer/light_emission.h"
 
 namespace restframe {
 namespace {
 
-// Rodrigues' rotation of the light's direction to where its sweep has brought it.
-Vec3 direction_at(const Light& light, double clock) {
-  if (!light.sweep) return light.direction;
-  const double turns = clock / light.sweep->period;
-  const double angle = 2.0 * glm::pi<double>() * (turns - std::floor(turns));
-  const Vec3& axis = light.sweep->axis;
-  const Vec3& d = light.direction;
-  return std::cos(angle) * d + std::sin(angle) * glm::cross(axis, d) +
-         (1.0 - std::cos(angle)) * glm::dot(axis, d) * axis;
+void to_light(const LightPlace& place, const EventLanes<in::World>& event,
+              EventLanes<in::LightRest>& at) {
+  const AnchoredFrame<in::LightRest> frame = place.frame;
+  if (frame.from_world.is_identity()) {
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) {
+      const Displacement<in::World> d = event.at(i) - frame.anchor;
+      at.set(i, {d.t, d.x});
+    }
+    return;
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) at.set(i, frame(event.at(i)));
 }
 
-// 1 - cos, without the loss of digits of small angles: a laser's cone is as exact as a lamp's.
-double one_minus_cos(double angle) {
-  const double s = std::sin(0.5 * angle);
-  return 2.0 * s * s;
+// A ray as the surfaces have it.
+void to_surfaces(const LitLanes& lit, const WaveVectorLanes<in::World>& k,
+                 WaveVectorLanes<in::Rest>& at_surface) {
+  for_each_group(lit.rest_from_world, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
+    WaveVectorLanes<in::Rest> there;
+    transform(*lit.rest_from_world[first], k, there);
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) {
+      set_in(group, i, at_surface.t, there.t[i]);
+      set_in(group, i, at_surface.x, there.x.at(i));
+    }
+  });
 }
 
-// As KHR_lights_punctual has it: smooth between the cones.
-float spot_factor(const Light& light, double clock, const Vec3& outwards) {
-  const Vec3 aside = direction_at(light, clock) - outwards;
-  const double outer = one_minus_cos(light.outer_cone);
-  const double within = outer - 0.5 * glm::dot(aside, aside);
-  const double width = outer - one_minus_cos(light.inner_cone);
-  if (within <= 0.0) return 0.0F;
-  const double inside = within < width ? within / width : 1.0;
-  return static_cast<float>(inside * inside);
-}
-
-Vec3f emitted(const Light& light, double clock, TemporalEvaluator& evaluator) {
-  // Formulas may ask for less than nothing.
-  return glm::max(evaluator(light.color, clock) * evaluator(light.intensity, clock), Vec3f(0));
-}
-
-// A ray of unit frequency in the light's frame, as the surface has it.
 struct Arrival {
-  WaveVector<in::World> k;
-  double frequency = 1;  // in the surface's rest frame
-  Vec3f direction{0};
+  Lanes<double>
+      frequency;          // in the surface's rest frame, of a ray of unit frequency in the light's
+  Lanes<double> doppler;  // D of the light
 };
 
-// Most lights and surfaces rest in the world: that costs nothing.
-template <class To, class From>
-WaveVector<To> boosted(const Boost<To, From>& to_from, const WaveVector<From>& k) {
-  return to_from.is_identity() ? WaveVector<To>{k.t, k.x} : to_from(k);
+// Light and surfaces rest in the world: one frequency everywhere.
+void arrive_at_rest(const LitLanes& lit, const Vec3Lanes& towards_light, Arrival& arrival,
+                    IncidentLanes& incident) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const double omega = lit.omega[i];
+    arrival.frequency[i] = 1.0;
+    arrival.doppler[i] = 1.0 / omega;
+    incident.direction.set(i, Vec3f(towards_light.at(i)));
+    incident.k.t[i] = -omega;
+    incident.k.x.set(i, towards_light.at(i) * omega);
+  }
 }
 
-Arrival arrival(const LightPlace& place, const LitEvent& lit, const Vec3& towards_light) {
-  const WaveVector<in::World> k =
-      boosted(place.world_from_light, looking_along<in::LightRest>(towards_light));
-  const WaveVector<in::Rest> at_surface = boosted(lit.rest_from_world, k);
-  return {k, -at_surface.t, Vec3f(sight_direction(at_surface))};
+// Rays that look along `towards_light` in the light's frame, with the frequency that the paths ask
+// for; D of the light follows.
+void arrive(const LightPlace& place, const LitLanes& lit, const Vec3Lanes& towards_light,
+            Arrival& arrival, IncidentLanes& incident) {
+  if (lit.all_rest && place.world_from_light.is_identity()) {
+    return arrive_at_rest(lit, towards_light, arrival, incident);
+  }
+  WaveVectorLanes<in::LightRest> leaving;
+  leaving.t.fill(-1.0);
+  leaving.x = towards_light;
+  transform(place.world_from_light, leaving, incident.k);
+  WaveVectorLanes<in::Rest> at_surface;
+  to_surfaces(lit, incident.k, at_surface);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const WaveVector<in::Rest> k = at_surface.at(i);
+    const double omega_emitted = lit.omega[i] / -k.t;
+    arrival.frequency[i] = -k.t;
+    arrival.doppler[i] = -k.t / lit.omega[i];
+    incident.direction.set(i, Vec3f(sight_direction(k)));
+    incident.k.t[i] *= omega_emitted;
+    incident.k.x.set(i, incident.k.x.at(i) * omega_emitted);
+  }
 }
 
-// Gives the ray the frequency that the path asks for; D of the light follows.
-Incident with_frequency(const Arrival& arrival, double omega, double& doppler) {
-  const double omega_emitted = omega / arrival.frequency;
-  doppler = 1.0 / omega_emitted;
-  Incident result;
-  result.k = {arrival.k.t * omega_emitted, arrival.k.x * omega_emitted};
-  result.direction = arrival.direction;
-  return result;
+void scale_irradiance(const Irradiating& settings, const Arrival& arrival,
+                      const Lanes<double>& length, IncidentLanes& incident) {
+  const bool beaming = settings.beaming;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const double squared = arrival.doppler[i] * arrival.doppler[i];
+    const float emitter = beaming ? static_cast<float>(squared * squared) : 1.0F;
+    const float factor = emitter / static_cast<float>(length[i] * length[i]);
+    incident.irradiance.set(i, incident.irradiance.at(i) * factor);
+  }
 }
 
-std::optional<Incident> from_place(const LightPlace& place, const LitEvent& lit, double light_speed,
-                                   bool beaming, TemporalEvaluator& evaluator) {
-  const Event<in::LightRest> at = place.frame(lit.event);
-  const double distance = glm::length(at.x);
-  if (!(distance > 0.0)) return std::nullopt;
-  const Vec3 outwards = at.x / distance;
-  const double clock = at.t - distance + place.clock_at_anchor;
-  Vec3f intensity = emitted(*place.light, clock, evaluator);
-  if (place.light->kind == LightKind::spot) intensity *= spot_factor(*place.light, clock, outwards);
-  if (intensity == Vec3f(0)) return std::nullopt;
-
-  const Arrival arriving = arrival(place, lit, -outwards);
-  double doppler = 1;
-  Incident result = with_frequency(arriving, lit.omega, doppler);
-  result.s_light = distance * doppler;
-  // The distance in the surface's rest frame, in the unit of the intensity.
-  const double distance_there = distance * arriving.frequency * light_speed;
-  result.irradiance = intensity * (emitter_factor(beaming, doppler) /
-                                   static_cast<float>(distance_there * distance_there));
-  return result;
+void from_place(const LightPlace& place, const EventLanes<in::World>& event, const LitLanes& lit,
+                const Irradiating& settings, TemporalEvaluator& evaluator,
+                IncidentLanes& incident) {
+  EventLanes<in::LightRest> at;
+  to_light(place, event, at);
+  Lanes<double> distance, clock;
+  Vec3Lanes towards_light;
+  const double clock_at_anchor = place.clock_at_anchor;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const double d = std::sqrt(glm::dot(at.x.at(i), at.x.at(i)));
+    distance[i] = d;
+    clock[i] = at.t[i] - d + clock_at_anchor;
+    towards_light.set(i, at.x.at(i) * (-1.0 / d));
+    incident.active[i] = d > 0.0 ? lit.active[i] : 0;
+  }
+  set_emitted(*place.light, clock, evaluator, incident);
+  if (place.light->kind == LightKind::spot) {
+    narrow_to_spot(*place.light, clock, towards_light, incident);
+  }
+  Arrival arrival;
+  arrive(place, lit, towards_light, arrival, incident);
+  const double light_speed = settings.light_speed;
+  Lanes<double> length;  // the distance in the surface's rest frame, in the unit of the intensity
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    incident.s_light[i] = distance[i] * arrival.doppler[i];
+    length[i] = distance[i] * arrival.frequency[i] * light_speed;
+  }
+  scale_irradiance(settings, arrival, length, incident);
 }
 
 // The limit of a far point light: what is W/m^2 in the sun's frame has 1/D^2 of that where the
 // distance has grown by D, before the emitter's factor.
-std::optional<Incident> from_sun(const LightPlace& place, const LitEvent& lit, bool beaming,
-                                 TemporalEvaluator& evaluator) {
-  const Event<in::LightRest> at = place.frame(lit.event);
-  const Vec3& direction = place.light->direction;
-  const double clock = at.t - glm::dot(direction, at.x) + place.clock_at_anchor;
-  const Vec3f irradiance = emitted(*place.light, clock, evaluator);
-  if (irradiance == Vec3f(0)) return std::nullopt;
-  const Arrival arriving = arrival(place, lit, -direction);
-  double doppler = 1;
-  Incident result = with_frequency(arriving, lit.omega, doppler);
-  result.s_light = std::numeric_limits<double>::infinity();
-  result.irradiance = irradiance * (emitter_factor(beaming, doppler) /
-                                    static_cast<float>(arriving.frequency * arriving.frequency));
-  return result;
+void from_sun(const LightPlace& place, const EventLanes<in::World>& event, const LitLanes& lit,
+              const Irradiating& settings, TemporalEvaluator& evaluator, IncidentLanes& incident) {
+  EventLanes<in::LightRest> at;
+  to_light(place, event, at);
+  const Vec3 direction = place.light->direction;
+  Lanes<double> clock;
+  Vec3Lanes towards_light;
+  for (int i = 0; i < packet_size; ++i) {
+    clock[i] = at.t[i] - glm::dot(direction, at.x.at(i)) + place.clock_at_anchor;
+    towards_light.set(i, -direction);
+  }
+  incident.active = lit.active;
+  set_emitted(*place.light, clock, evaluator, incident);
+  Arrival arrival;
+  arrive(place, lit, towards_light, arrival, incident);
+  incident.s_light.fill(std::numeric_limits<double>::infinity());
+  scale_irradiance(settings, arrival, arrival.frequency, incident);
 }
 
 }  // namespace
@@ -131,18 +167,17 @@ std::vector<LightPlace> light_places(const Scene& scene) {
   return places;
 }
 
-std::optional<Incident> incident(const LightPlace& place, const LitEvent& lit, double light_speed,
-                                 bool beaming, TemporalEvaluator& evaluator) {
+void incident(const LightPlace& place, const EventLanes<in::World>& event, const LitLanes& lit,
+              const Irradiating& settings, TemporalEvaluator& evaluator, IncidentLanes& incident) {
   switch (place.light->kind) {
     case LightKind::point:
     case LightKind::spot:
-      return from_place(place, lit, light_speed, beaming, evaluator);
+      return from_place(place, event, lit, settings, evaluator, incident);
     case LightKind::sun:
-      return from_sun(place, lit, beaming, evaluator);
+      return from_sun(place, event, lit, settings, evaluator, incident);
     case LightKind::environment:
-      return std::nullopt;
+      incident.active.fill(0);
   }
-  return std::nullopt;
 }
 
 Vec3f environment_radiance(const LightPlace& place, const Event<in::World>& origin,

@@ -2,7 +2,6 @@
 
 // How lights reach a surface event: retarded, aberrated, shifted (design, section 2, point 5).
 
-#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -20,25 +19,33 @@ struct LightPlace {
 };
 std::vector<LightPlace> light_places(const Scene& scene);
 
-// An event on a surface that light of one frequency is to reach.
-struct LitEvent {
-  Event<in::World> event;
-  Boost<in::Rest, in::World> rest_from_world;  // the surface's rest frame
-  double omega = 1;  // the light's frequency there over that in the camera
+// Surfaces that light of one frequency is to reach, in the active lanes.
+struct LitLanes {
+  Lanes<const Boost<in::Rest, in::World>*> rest_from_world;  // the surfaces' rest frames
+  Lanes<double> omega;  // the light's frequency there over that in the camera
+  Lanes<std::int32_t> active;
+  bool all_rest = false;  // all surfaces rest in the world: spares the boosts
 };
 
-// What comes from one light, if nothing is in between.
-struct Incident {
-  WaveVector<in::World> k;  // from the event to the light, back in time
-  double s_light = 0;       // where the light is along k; infinite for a sun
-  Vec3f direction{0};       // unit, towards the light, in the surface's rest frame
-  Vec3f irradiance{0};      // of a surface across it there, times the emitter's factor
+// What comes from one light, if nothing is in between, to the active lanes.
+struct IncidentLanes {
+  WaveVectorLanes<in::World> k;  // from the event to the light, back in time
+  Lanes<double> s_light;         // where the light is along k; infinite for a sun
+  Vec3fLanes direction;          // unit, towards the light, in the surface's rest frame
+  Vec3fLanes irradiance;         // of a surface across it there, times the emitter's factor
+  Lanes<std::int32_t> active;
 };
 
-// Point, spot and sun. Nothing comes from a light at the event itself, and where its spot or clock
-// is dark.
-std::optional<Incident> incident(const LightPlace& place, const LitEvent& lit, double light_speed,
-                                 bool beaming, TemporalEvaluator& evaluator);
+// How what a light sends becomes irradiance.
+struct Irradiating {
+  double light_speed = 1;  // scene lengths a second
+  bool beaming = false;
+};
+
+// What a point, spot or sun sends to the events. Nothing comes from a light at the event itself, and
+// where its spot or clock is dark.
+void incident(const LightPlace& place, const EventLanes<in::World>& event, const LitLanes& lit,
+              const Irradiating& settings, TemporalEvaluator& evaluator, IncidentLanes& incident);
 
 // Radiance from an environment along a ray, times the emitter's factor.
 Vec3f environment_radiance(const LightPlace& place, const Event<in::World>& origin,

@@ -7,13 +7,13 @@
 
 namespace restframe {
 
-// Something transparent that light is inside of.
+// Something transparent that light is inside of. Without initial values: stacks of it are made for
+// every packet, and mostly stay empty.
 struct Medium {
-  std::int32_t frame = -1;  // rest frame
-  std::int32_t object = -1, material = -1;
-  float ior = 1;
-  Vec3f absorbed{
-      0};  // per light-second of path, in the medium's rest frame: exp(-absorbed * length)
+  std::int32_t frame;  // rest frame
+  std::int32_t object, material;
+  float ior;
+  Vec3f absorbed;  // per light-second of path, in the medium's rest frame: exp(-absorbed * length)
 };
 
 // The media around a point of a path, the innermost on top. Media that overlap count as nested in

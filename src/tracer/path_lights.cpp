@@ -1,5 +1,6 @@
 // Light that comes straight from lights to the vertices of 16 paths.
 
+#include "frames/lane_groups.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -11,55 +12,71 @@ constexpr float least_light = 1e-4F;  // what is dimmed below this fraction is d
 }  // namespace
 
 void PathWalk::add_lights() {
-  for (const LightPlace& light : stage_.lights) add_light(light);
+  LitLanes lit;
+  lit.omega = paths_.omega;
+  lit.active = vertices_.active;
+  for (int i = 0; inside_ && i < packet_size; ++i) {
+    if (in_medium(i)) lit.active[i] = 0;
+  }
+  lit.all_rest = true;
+  for_each_group(hits_.frame, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
+    const auto* from_world = &stage_.frames.frame(hits_.frame[first]).coordinates().from_world;
+    lit.all_rest = lit.all_rest && from_world->is_identity();
+    for (int i = 0; i < packet_size; ++i) set_in(group, i, lit.rest_from_world, from_world);
+  });
+  if (!any_active(lit.active)) return;
+  ViewLobeLanes lobes;
+  view_lobes(vertices_.bsdf, lobes);
+  for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
 }
 
-void PathWalk::add_light(const LightPlace& light) {
-  const RenderSettings& settings = stage_.scene.render;
+void PathWalk::add_light(const LightPlace& light, const LitLanes& lit, const ViewLobeLanes& lobes) {
+  const HitEvents& at = vertices_.at;
+  IncidentLanes from_light;
+  incident(light, at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},
+           evaluator_, from_light);
+  Vec3fLanes arriving;
+  scattered_fraction(vertices_.bsdf, lobes, from_light.direction, arriving);
   RayPacket shadows;
   shadows.coherent = false;  // they begin wherever the paths are
-  Lanes<double> s_max;
-  Lanes<Vec3f> arriving;
-  bool any = false;
-  for (int lane = 0; lane < packet_size; ++lane) {
-    shadows.active[lane] = 0;
-    if (lit_[lane] == 0) continue;
-    const Vertex& vertex = vertices_[lane];
-    const auto from_light =
-        incident(light, vertex.lit, stage_.scene.light_speed, settings.beaming, evaluator_);
-    if (!from_light) continue;
-    arriving[lane] = scattered_fraction(vertex.bsdf, from_light->direction) *
-                     from_light->irradiance * vertex.throughput;
-    if (!(arriving[lane] != Vec3f(0))) continue;
-    const RestFrame& frame = stage_.frames.frame(hits_.frame[lane]);
-    const Vec3 x = vertex.lit.omega * Vec3(from_light->direction);
-    shadows.origin.set(lane, vertex.lit.event);
-    shadows.k.set(lane, from_light->k);
-    shadows.s_min[lane] = frame.s_clear(hits_, lane, vertex.lit.event, x);
-    shadows.active[lane] = -1;
-    s_max[lane] = from_light->s_light;
-    any = true;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const Vec3f light_of_lane =
+        arriving.at(i) * from_light.irradiance.at(i) * paths_.throughput.at(i);
+    arriving.set(i, light_of_lane);
+    const bool dark =
+        (light_of_lane.x == 0.0F) & (light_of_lane.y == 0.0F) & (light_of_lane.z == 0.0F);
+    shadows.active[i] = dark ? 0 : from_light.active[i];
   }
-  if (!any) return;
+  if (!any_active(shadows.active)) return;
+  shadows.origin = at.event;
+  shadows.k = from_light.k;
+  stage_.frames.find_clear(hits_, at, from_light.direction, lit.omega, shadows.active,
+                           shadows.s_min);
   const Lanes<std::int32_t> reached = shadows.active;
-  let_through(shadows, s_max, arriving);
-  for (int lane = 0; lane < packet_size; ++lane) {
-    if (reached[lane] != 0) states_[lane].radiance += arriving[lane];
+  Lanes<float> left;
+  let_through(shadows, from_light.s_light, left);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const bool lights = (reached[i] != 0) & (left[i] > 0.0F);
+    paths_.radiance.x[i] += lights ? arriving.x[i] * left[i] : 0.0F;
+    paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
+    paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;
   }
 }
 
-// Dims what arrives by all that is in its way.
-void PathWalk::let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<Vec3f>& arriving) {
-  if (!stage_.has_see_through) {
-    Lanes<std::int32_t> blocked;
-    stage_.frames.find_blocked(shadows, s_max, blocked);
-    for (int lane = 0; lane < packet_size; ++lane) {
-      if (blocked[lane] != 0) arriving[lane] = Vec3f(0);
-    }
-    return;
-  }
-  Lanes<float> left;
+// The fraction that is left of light by all that is in its way.
+void PathWalk::let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left) {
   left.fill(1.0F);
+  if (stage_.has_see_through) return dim(shadows, s_max, left);
+  Lanes<std::int32_t> blocked;
+  stage_.frames.find_blocked(shadows, s_max, blocked);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) left[i] = blocked[i] != 0 ? 0.0F : 1.0F;
+}
+
+// By layer after layer of what may be seen through.
+void PathWalk::dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left) {
   HitPacket hits;
   SurfaceLanes surfaces;
   bool passing = true;
@@ -85,7 +102,6 @@ void PathWalk::let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes
       passing = true;
     }
   }
-  for (int lane = 0; lane < packet_size; ++lane) arriving[lane] *= left[lane];
 }
 
 }  // namespace restframe

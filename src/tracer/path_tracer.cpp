@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/error.h"
 #include "tracer/path_walk.h"
 
@@ -20,15 +22,20 @@ bool emits(const Material& m) {
 }  // namespace
 
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
-    : stage_{scene, frames, object_places(scene, frames), {}, {}, false, false},
+    : stage_{scene, frames, object_places(scene, frames), {}, {}, {}, false, false, false, false},
       crossed_media_(no_crossing) {
   for (const LightPlace& place : light_places(scene)) {
     const bool surrounds = place.light->kind == LightKind::environment;
     (surrounds ? stage_.environments : stage_.lights).push_back(place);
   }
+  stage_.has_clocks =
+      !scene.functions.empty() || std::any_of(scene.lights.begin(), scene.lights.end(),
+                                              [](const Light& l) { return l.sweep.has_value(); });
   stage_.has_emitters = !stage_.environments.empty();
   for (const Material& material : scene.materials) {
     stage_.has_emitters = stage_.has_emitters || emits(material);
+    stage_.has_media = stage_.has_media || can_transmit(material);
+    stage_.plain.push_back(plain_material(material));
     stage_.has_see_through = stage_.has_see_through || material.alpha_mode != AlphaMode::opaque;
   }
 }

@@ -1,10 +1,13 @@
 #pragma once
 
-// 16 paths, walked together surface by surface.
+// 16 paths, walked together surface by surface. A round: find what each path meets next and what
+// stops there, make a vertex of it (path_vertex.cpp), light the vertices (path_lights.cpp), and go on
+// from them (path_scatter.cpp).
 
 #include "tracer/bsdf.h"
 #include "tracer/light_sampling.h"
 #include "tracer/medium_stack.h"
+#include "tracer/plain_material.h"
 #include "tracer/random.h"
 #include "tracer/sample.h"
 #include "tracer/surface_material.h"
@@ -16,9 +19,12 @@ struct PathStage {
   const Scene& scene;
   const FrameSet& frames;
   std::vector<ObjectPlace> places;
+  std::vector<PlainMaterial> plain;  // a material each
   std::vector<LightPlace> lights, environments;
   bool has_emitters = false;     // surfaces or environments: paths meet them by chance only
   bool has_see_through = false;  // materials that let light pass straight on
+  bool has_clocks = false;       // something that changes over time
+  bool has_media = false;        // materials that light can be inside of
 };
 
 // Objects of two velocities, of which light found one inside the other; -1: none.
@@ -37,36 +43,66 @@ class PathWalk {
   const MediumCrossing& crossing() const { return crossing_; }
 
  private:
-  struct State {
-    Vec3f throughput{1};
-    Vec3f radiance{0};
-    float coverage = 0;  // 1: something was met that is no background
-    int scatterings = 0;
-    double omega = 1;  // inside media: the light's frequency in their rest frame
-    MediumStack media;
+  struct PathLanes {
+    Vec3fLanes throughput, radiance;
+    Lanes<float> coverage;  // 1: something was met that is no background
+    Lanes<std::int32_t> scatterings;
+    Lanes<double> omega;  // the light's frequency in the rest frame of the surface or medium
   };
-  // A surface event that scatters, in its rest frame.
-  struct Vertex {
-    Bsdf bsdf;
-    LitEvent lit;
-    Vec3f throughput{1};  // of the path that comes from there
+  // Surface events that scatter, each in its rest frame.
+  struct VertexLanes {
+    Lanes<std::int32_t> active;
+    HitEvents at;
+    BsdfLanes bsdf;
+  };
+  // What shines towards the paths from what they have met, before the emitter's factor.
+  struct ShineLanes {
+    bool any = false;
+    Vec3fLanes radiance;
+
+    void set(int lane, const Vec3f& shines) {
+      radiance.set(lane, shines);
+      any = any || shines != Vec3f(0);
+    }
   };
 
   bool find_surfaces();
+  bool in_medium(int lane) const { return stage_.has_media && !media_[lane].empty(); }
   bool rests_together(int frame, int other) const;
-  void step(int lane);
-  void miss(int lane);
-  void pass_straight(int lane);
-  void meet(int lane, const MetSurface& met, double clock, const Vec4f& texture);
-  void set_vertex(int lane, const MetSurface& met, double clock, const Vec4f& texture);
+  bool enters_other_frame(int lane);
+  void miss();
+  void add_environments(int lane);
+  void stop_or_pass();
+  void stop_or_pass(int lane);
+  void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
+  void pass(int lane);
+  MetSurface met_surface(int lane) const {
+    return {stage_.scene, stage_.frames, surfaces_, hits_, lane};
+  }
+  const PlainMaterial& plain(int lane) const {
+    return stage_.plain[static_cast<std::size_t>(surfaces_.material[lane])];
+  }
+
+  void meet();
+  void arrive();
+  void absorb(int lane);
+  void set_plain_material(const PlainMaterial& plain, const Lanes<std::int32_t>& group,
+                          ShineLanes& shines);
+  void set_changing_material(int lane, ShineLanes& shines);
+  void add_emission(const ShineLanes& shines);
+  void set_geometry();
+
+  void add_lights();
+  void add_light(const LightPlace& light, const LitLanes& lit, const ViewLobeLanes& lobes);
+  void let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
+  void dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
+
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
-  void scatter_on(int lane, const MetSurface& met, double clock);
+  void scatter_on(int lane);
   bool survives(int lane);
   void depart(int lane, const Vec3f& direction);
-  void add_lights();
-  void add_light(const LightPlace& light);
-  void let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<Vec3f>& arriving);
+
   float random(int lane, Dimension dimension) const {
     return random_unit(id_, lane, dimension, round_);
   }
@@ -78,11 +114,16 @@ class PathWalk {
   MediumRayPacket in_medium_;  // of the others
   SurfaceDataLanes* data_;
   std::uint32_t round_ = 0;  // surfaces met so far
-  Lanes<State> states_;
+  PathLanes paths_;
+  Lanes<MediumStack> media_;
   HitPacket hits_;
   SurfaceLanes surfaces_;
-  Lanes<Vertex> vertices_;
-  Lanes<std::int32_t> lit_;  // -1: lights may reach the lane's vertex
+  bool inside_ = false;               // some path goes on within a medium
+  Lanes<std::int32_t> hit_, missed_;  // -1: the path meets a surface, or nothing, in this round
+  Lanes<double> clock_;               // of what was met, unless it is plain
+  Lanes<Vec4f> texture_;              // likewise: the base colour's
+  Lanes<std::int32_t> met_;           // -1: the path is stopped by a surface in this round
+  VertexLanes vertices_;
   MediumCrossing crossing_;
 };
 

@@ -1,0 +1,150 @@
+// Vertices of 16 paths: what the surfaces are that the paths have met.
+
+#include <algorithm>
+
+#include "frames/lane_groups.h"
+#include "tracer/path_walk.h"
+
+namespace restframe {
+namespace {
+
+// Formulas may leave the range of what they stand for.
+float fraction(float value) {
+  return std::clamp(value, 0.0F, 1.0F);
+}
+
+}  // namespace
+
+PlainMaterial plain_material(const Material& m) {
+  const auto constant = [](const auto& property) { return property.function == no_function; };
+  const bool changes = !(constant(m.base_color) && constant(m.metallic) && constant(m.roughness) &&
+                         constant(m.emission) && constant(m.emission_strength) && constant(m.ior));
+  const bool textured = m.base_color_texture.texture >= 0 ||
+                        m.metallic_roughness_texture.texture >= 0 ||
+                        m.emission_texture.texture >= 0;
+  PlainMaterial plain;
+  plain.always =
+      !changes && !textured && !m.unlit && !can_transmit(m) && m.alpha_mode == AlphaMode::opaque;
+  plain.double_sided = m.double_sided;
+  plain.base = m.base_color.value;
+  plain.emission = m.emission.value * m.emission_strength.value;
+  plain.metallic = fraction(m.metallic.value);
+  plain.alpha = fraction(m.roughness.value) * fraction(m.roughness.value);
+  plain.ior = std::max(1.0F, m.ior.value);
+  return plain;
+}
+
+// Surfaces that light does not just pass: they shine, and scatter.
+void PathWalk::meet() {
+  arrive();
+  ShineLanes shines;
+  vertices_.active.fill(0);
+  for_each_group(surfaces_.material, met_, [&](int first, const Lanes<std::int32_t>& group) {
+    if (plain(first).always) return set_plain_material(plain(first), group, shines);
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (group[lane] != 0) set_changing_material(lane, shines);
+    }
+  });
+  if (shines.any) add_emission(shines);
+  if (!any_active(vertices_.active)) return;
+  set_geometry();
+  if (!stage_.lights.empty()) add_lights();
+  for (int lane = 0; lane < packet_size; ++lane) {
+    const bool goes_on =
+        stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
+    if (vertices_.active[lane] != 0 && goes_on) scatter_on(lane);
+  }
+}
+
+void PathWalk::arrive() {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const bool from_outside = met_[i] != 0 && rays_.active[i] != 0;
+    paths_.omega[i] = from_outside ? -hits_.rest_k_t[i] : paths_.omega[i];
+    paths_.coverage[i] = met_[i] != 0 ? 1.0F : paths_.coverage[i];
+    rays_.active[i] = met_[i] != 0 ? 0 : rays_.active[i];
+    in_medium_.active[i] = met_[i] != 0 ? 0 : in_medium_.active[i];
+  }
+  for (int lane = 0; inside_ && lane < packet_size; ++lane) {
+    if (met_[lane] != 0 && in_medium(lane)) absorb(lane);
+  }
+}
+
+void PathWalk::absorb(int lane) {
+  const float length = static_cast<float>(hits_.s[lane] * paths_.omega[lane]);
+  const Vec3f left = glm::exp(-length * media_[lane].top().absorbed);
+  paths_.throughput.set(lane, paths_.throughput.at(lane) * left);
+}
+
+void PathWalk::set_plain_material(const PlainMaterial& material, const Lanes<std::int32_t>& group,
+                                  ShineLanes& shines) {
+  const PlainMaterial plain = material;
+  const int depth = stage_.scene.render.depth;
+  BsdfLanes& bsdf = vertices_.bsdf;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const std::int32_t scatters = paths_.scatterings[i] < depth ? group[i] : 0;
+    vertices_.active[i] |= scatters;
+    paths_.scatterings[i] -= scatters;
+    set_in(group, i, shines.radiance, plain.emission);
+    set_in(group, i, bsdf.metallic, plain.metallic);
+    set_in(group, i, bsdf.transmission, 0.0F);
+    set_in(group, i, bsdf.alpha, plain.alpha);
+    set_in(group, i, bsdf.eta, plain.ior);
+  }
+  const bool colored = surfaces_.colored;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    set_in(group, i, bsdf.base, colored ? plain.base * Vec3f(surfaces_.color[i]) : plain.base);
+  }
+  shines.any = shines.any || plain.emission != Vec3f(0);
+  for (int lane = 0; inside_ && lane < packet_size; ++lane) {
+    if (group[lane] != 0 && in_medium(lane)) bsdf.eta[lane] /= media_[lane].ior();
+  }
+}
+
+void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
+  const bool scatters = paths_.scatterings[lane] < stage_.scene.render.depth;
+  const MetSurface met = met_surface(lane);
+  const Material& material = met.material();
+  const double clock = clock_[lane];
+  const Vec3f emitted = emission(met, clock, evaluator_);
+  const bool needs_base = material.unlit || scatters;
+  const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
+  shines.set(lane, material.unlit ? emitted + base : emitted);
+  if (material.unlit || !scatters) return;
+  ++paths_.scatterings[lane];
+  vertices_.active[lane] = -1;
+  const Vec4f finish = texel(met, material.metallic_roughness_texture);
+  const float roughness = fraction(evaluator_(material.roughness, clock)) * finish.y;
+  BsdfLanes& bsdf = vertices_.bsdf;
+  bsdf.base.set(lane, base);
+  bsdf.metallic[lane] = fraction(evaluator_(material.metallic, clock)) * finish.z;
+  bsdf.transmission[lane] = fraction(evaluator_(material.transmission, clock));
+  bsdf.alpha[lane] = roughness * roughness;
+  bsdf.eta[lane] = index_ratio(lane, met, clock);
+}
+
+void PathWalk::add_emission(const ShineLanes& shines) {
+  const bool beaming = stage_.scene.render.beaming;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const float factor = emitter_factor(beaming, 1.0 / paths_.omega[i]);
+    const Vec3f sum =
+        paths_.radiance.at(i) + paths_.throughput.at(i) * shines.radiance.at(i) * factor;
+    set_in(met_, i, paths_.radiance, sum);
+  }
+}
+
+void PathWalk::set_geometry() {
+  BsdfLanes& bsdf = vertices_.bsdf;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    bsdf.view.set(i, -hits_.sight.at(i));
+    bsdf.normal.set(i, surfaces_.normal.at(i));
+    bsdf.facet.set(i, vertices_.at.facet.at(i));
+    bsdf.base.set(i, glm::max(bsdf.base.at(i), Vec3f(0)));
+  }
+}
+
+}  // namespace restframe
