@@ -5,6 +5,7 @@
 
 #include "frames/lane_groups.h"
 #include "frames/rest_frame.h"
+#include "physics/clones.h"
 
 namespace restframe {
 
@@ -179,8 +180,9 @@ void RestFrame::set_events(const HitPacket& hits, const Lanes<std::int32_t>& gro
 
 // Embree tells where a ray meets a triangle from its first corner and its normal, both in float: along
 // that plane no corner but the first matters, and it is never nearer than the plane itself.
-void RestFrame::locate_on_plane(HitPacket& hits, int first, const Lanes<std::int32_t>& group,
-                                HitEvents& events) const {
+RESTFRAME_CLONES void RestFrame::locate_on_plane(HitPacket& hits, int first,
+                                                 const Lanes<std::int32_t>& group,
+                                                 HitEvents& events) const {
   const FramePart& part = parts_[hits.part[first]];
   const Vec3f* positions = part.positions.data();
   Vec3fLanes corner;
@@ -192,8 +194,9 @@ void RestFrame::locate_on_plane(HitPacket& hits, int first, const Lanes<std::int
   set_facets(part, hits, group, events.facet);
 }
 
-void RestFrame::locate(HitPacket& hits, int first, const Lanes<std::int32_t>& group, bool by_clock,
-                       HitEvents& events) const {
+RESTFRAME_CLONES void RestFrame::locate(HitPacket& hits, int first,
+                                        const Lanes<std::int32_t>& group, bool by_clock,
+                                        HitEvents& events) const {
   const FramePart& part = parts_[hits.part[first]];
   if (!by_clock && !part.instanced) return locate_on_plane(hits, first, group, events);
   CornerLanes corners;
@@ -213,9 +216,10 @@ void RestFrame::locate(HitPacket& hits, int first, const Lanes<std::int32_t>& gr
   set_facets(part, hits, group, events.facet);
 }
 
-void RestFrame::find_clear(const HitEvents& from, const Vec3fLanes& direction,
-                           const Lanes<double>& omega, const Lanes<std::int32_t>& group,
-                           Lanes<double>& s_clear) const {
+RESTFRAME_CLONES void RestFrame::find_clear(const HitEvents& from, const Vec3fLanes& direction,
+                                            const Lanes<double>& omega,
+                                            const Lanes<std::int32_t>& group,
+                                            Lanes<double>& s_clear) const {
   const Mat3 linear = traversal_from_rest_linear_;
   Lanes<double> stretch;  // of the direction, in traversal coordinates
   stretch.fill(1.0);

@@ -1,5 +1,6 @@
 // What a surface scatters of light from a given direction: a sum over lobes.
 
+#include "physics/clones.h"
 #include "tracer/bsdf.h"
 #include "tracer/bsdf_terms.h"
 
@@ -60,7 +61,7 @@ Vec3f scattered_fraction(const Bsdf& bsdf, const Vec3f& direction) {
   return fraction(bsdf, view_lobe(bsdf), direction);
 }
 
-void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
+RESTFRAME_CLONES void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const ViewLobe lobe = view_lobe(bsdf.at(i));
@@ -70,8 +71,8 @@ void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
   }
 }
 
-void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
-                        const Vec3fLanes& direction, Vec3fLanes& result) {
+RESTFRAME_CLONES void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
+                                         const Vec3fLanes& direction, Vec3fLanes& result) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     result.set(i, fraction(bsdf.at(i), lobes.at(i), direction.at(i)));

@@ -1,4 +1,5 @@
 #include "tracer/light_sampling.h"
+#include "physics/clones.h"
 
 #include <cmath>
 #include <limits>
@@ -167,8 +168,9 @@ std::vector<LightPlace> light_places(const Scene& scene) {
   return places;
 }
 
-void incident(const LightPlace& place, const EventLanes<in::World>& event, const LitLanes& lit,
-              const Irradiating& settings, TemporalEvaluator& evaluator, IncidentLanes& incident) {
+RESTFRAME_CLONES void incident(const LightPlace& place, const EventLanes<in::World>& event,
+                               const LitLanes& lit, const Irradiating& settings,
+                               TemporalEvaluator& evaluator, IncidentLanes& incident) {
   switch (place.light->kind) {
     case LightKind::point:
     case LightKind::spot:

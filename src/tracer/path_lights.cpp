@@ -1,6 +1,7 @@
 // Light that comes straight from lights to the vertices of 16 paths.
 
 #include "frames/lane_groups.h"
+#include "physics/clones.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -30,7 +31,8 @@ void PathWalk::add_lights() {
   for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
 }
 
-void PathWalk::add_light(const LightPlace& light, const LitLanes& lit, const ViewLobeLanes& lobes) {
+RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLanes& lit,
+                                          const ViewLobeLanes& lobes) {
   const HitEvents& at = vertices_.at;
   IncidentLanes from_light;
   incident(light, at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},

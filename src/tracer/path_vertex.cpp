@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "frames/lane_groups.h"
+#include "physics/clones.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -76,8 +77,9 @@ void PathWalk::absorb(int lane) {
   paths_.throughput.set(lane, paths_.throughput.at(lane) * left);
 }
 
-void PathWalk::set_plain_material(const PlainMaterial& material, const Lanes<std::int32_t>& group,
-                                  ShineLanes& shines) {
+RESTFRAME_CLONES void PathWalk::set_plain_material(const PlainMaterial& material,
+                                                   const Lanes<std::int32_t>& group,
+                                                   ShineLanes& shines) {
   const PlainMaterial plain = material;
   const int depth = stage_.scene.render.depth;
   BsdfLanes& bsdf = vertices_.bsdf;
@@ -136,7 +138,7 @@ void PathWalk::add_emission(const ShineLanes& shines) {
   }
 }
 
-void PathWalk::set_geometry() {
+RESTFRAME_CLONES void PathWalk::set_geometry() {
   BsdfLanes& bsdf = vertices_.bsdf;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
