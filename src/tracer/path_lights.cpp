@@ -65,7 +65,8 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
   let_through(shadows, from_light.s_light, left);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const bool lights = (reached[i] != 0) & (left[i] > 0.0F);
+    const float left_of_lane = left[i];
+    const bool lights = (reached[i] != 0) & (left_of_lane > 0.0F);
     paths_.radiance.x[i] += lights ? arriving.x[i] * left[i] : 0.0F;
     paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
     paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;

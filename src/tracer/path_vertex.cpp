@@ -61,7 +61,8 @@ RESTFRAME_CLONES void PathWalk::arrive() {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const bool met = met_[i] != 0;
-    const bool from_outside = met & (rays_.active[i] != 0);
+    const std::int32_t outside = rays_.active[i];
+    const bool from_outside = met & (outside != 0);
     blend(from_outside, paths_.omega[i], -hits_.rest_k_t[i]);
     blend(met, paths_.coverage[i], 1.0F);
     blend(met, rays_.active[i], 0);
