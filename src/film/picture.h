@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "film/aov.h"
-#include "scene/large_vector.h"
+#include "scene/aligned_vector.h"
 #include "tracer/sample.h"
 
 namespace restframe {
@@ -27,7 +27,7 @@ class Picture {
   bool has_data() const { return !channels_.empty(); }
   // No pixel of the beauty is covered by anything.
   bool shows_nothing() const;
-  const LargeVector<Vec4f>& rgba() const { return rgba_; }
+  const AlignedVector<Vec4f>& rgba() const { return rgba_; }
   const std::vector<ChannelPixels>& channels() const { return channels_; }
 
   // The pixels from (x, y) on to the right, which must lie in the picture.
@@ -47,7 +47,7 @@ class Picture {
 
   int width_, height_;
   DataUnits units_;
-  LargeVector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
+  AlignedVector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
   std::vector<ChannelPixels> channels_;
 };
 

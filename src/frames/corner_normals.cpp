@@ -24,8 +24,8 @@ CornerNormals packed(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
 
 }  // namespace
 
-LargeVector<CornerNormals> corner_normals(const Mesh& mesh) {
-  LargeVector<CornerNormals> result;
+AlignedVector<CornerNormals> corner_normals(const Mesh& mesh) {
+  AlignedVector<CornerNormals> result;
   if (mesh.normals.empty()) return result;
   result.resize(mesh.triangles.size());
   constexpr std::size_t at_once = 65536;

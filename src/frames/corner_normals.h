@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "frames/packet.h"
-#include "scene/large_vector.h"
+#include "scene/aligned_vector.h"
 #include "scene/mesh.h"
 
 namespace restframe {
@@ -15,7 +15,7 @@ namespace restframe {
 using CornerNormals = std::array<std::uint32_t, 5>;
 
 // One a triangle; none if the mesh has no normals.
-LargeVector<CornerNormals> corner_normals(const Mesh& mesh);
+AlignedVector<CornerNormals> corner_normals(const Mesh& mesh);
 
 // The normals of 16 triangles, word by word.
 using CornerNormalLanes = std::array<Lanes<std::uint32_t>, 5>;
