@@ -1,6 +1,6 @@
-// What assets look like, on pixels: which way axes and textures point, what colours and opacities are
-// multiplied, which textures hold colours and which numbers, and mirrored nodes. Where textures lie, how
-// they wrap and sRGB itself are in gltf_texture_transform_test.cpp.
+// What assets look like, on pixels: which way axes and textures point, what colours and opacities
+// are multiplied, which textures hold colours and which numbers, and mirrored nodes. Where textures
+// lie, how they wrap and sRGB itself are in gltf_texture_transform_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,8 @@ json unlit(const json& material) {
   return result;
 }
 
-// Adds a square across the z axis, its front towards +z, with texture coordinates, and returns its mesh.
+// Adds a square across the z axis, its front towards +z, with texture coordinates, and returns its
+// mesh.
 int add_square(GltfBuilder& builder, float half, int material,
                const std::vector<float>& color = {}) {
   const float h = half;
@@ -130,8 +131,8 @@ TEST(Looks, TexturesOfObj) {
   expect_near(at(picture, 0.5, -0.5), {1, 1, 1, 1}, "lower right");
 }
 
-// Colour and opacity are the texture's times the factor's times the vertex's; colours of vertices and
-// factors are linear, the texture's sRGB.
+// Colour and opacity are the texture's times the factor's times the vertex's; colours of vertices
+// and factors are linear, the texture's sRGB.
 GltfBuilder product(const json& alpha) {
   GltfBuilder builder;
   add_texture(builder, 1, 1, "\xbc\xbc\xbc\xbc");
@@ -166,8 +167,8 @@ TEST(Looks, OpacityIsAProduct) {
   expect_near(shown({{"alphaMode", "MASK"}}), Vec4f(0), "below the cutoff that is not given: 0.5");
 }
 
-// Roughness is the green channel and metalness the blue one, as numbers: 188 is 0.737, not 0.503. So a
-// picture with the texture is that of the factors.
+// Roughness is the green channel and metalness the blue one, as numbers: 188 is 0.737, not 0.503.
+// So a picture with the texture is that of the factors.
 Picture lit_square(double metallic, double roughness, bool textured) {
   GltfBuilder builder;
   if (textured) add_texture(builder, 1, 1, "\x11\xbc\x50\xff");
@@ -207,8 +208,8 @@ TEST(Looks, RoughnessAndMetalAreLinear) {
   }
 }
 
-// A node that mirrors takes the texture along, but the front stays the front: it is seen, shaded as it
-// was, and its normal is towards the viewer.
+// A node that mirrors takes the texture along, but the front stays the front: it is seen, shaded as
+// it was, and its normal is towards the viewer.
 TEST(Looks, MirroredNodesShowTheirFronts) {
   const auto shown = [](const std::vector<double>& scale) {
     GltfBuilder builder;
