@@ -121,7 +121,8 @@ TEST_F(Variants, UnknownOnesAreNamed) {
             at + "the asset has no variant \"nigth\", the nearest is \"night\"");
   EXPECT_EQ(fault("[[object]]\nsphere = {}\nvariant = \"day\"\n"),
             at + "variant \"day\": the asset has no variants");
-  EXPECT_EQ(fault(asset_ + "variant = 1\n"), at + "variant is a whole number, must be a text in quotes");
+  EXPECT_EQ(fault(asset_ + "variant = 1\n"),
+            at + "variant is a whole number, must be a text in quotes");
 }
 
 TEST_F(Variants, AreAnOptionOfTheProgram) {

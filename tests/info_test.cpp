@@ -78,8 +78,8 @@ nodes:
     eye: camera main
     plan: camera camera 1
 meshes:
-  tram: 1 triangle, 3 vertices, open, 92 bytes, placed 2 times, of paint
-  old: 1 triangle, 3 vertices, open, 92 bytes, of paint
+  tram: 1 triangle, 3 vertices, open, 56 bytes, placed 2 times, of paint
+  old: 1 triangle, 3 vertices, open, 56 bytes, of paint
 materials:
   paint: base color [1, 0.5, 0], textured
 textures:
@@ -89,7 +89,7 @@ lights:
 cameras:
   main: field of view 28.65 degrees
   camera 1: orthographic, not supported
-memory: meshes 184 bytes, images 8 bytes, Embree )";
+memory: meshes 112 bytes, images 8 bytes, Embree )";
 
 TEST(Info, PrintsAnAssetAsATree) {
   const TemporaryFolder folder;

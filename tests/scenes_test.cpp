@@ -158,6 +158,10 @@ TEST(Texts, ExamplesAreScenesWithoutFault) {
         restframe_program({"lattice", "-o", asset, "--cells", "2x2x2"}, folder.path());
     ASSERT_EQ(made.exit_code, 0) << made.error;
   }
+  folder.write("scan.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+               "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+               "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   std::size_t count = 0;
   for (const std::string& name : texts) {
     for (const std::string& example : fenced_blocks(content_of(top / name), "toml")) {

@@ -25,15 +25,16 @@ inline void set_in(const Lanes<std::int32_t>& group, int i, Vec3Lanes& lanes, co
 template <class Key, class Visit>
 void for_each_group(const Lanes<Key>& keys, const Lanes<std::int32_t>& active, const Visit& visit) {
   Lanes<std::int32_t> waiting = active;
-  for (int first = 0; first < packet_size; ++first) {
+  for (int first = 0; any_active(waiting); ++first) {
     if (waiting[first] == 0) continue;
     const Key key = keys[first];
     Lanes<std::int32_t> group;
 #pragma GCC ivdep
     for (int i = 0; i < packet_size; ++i) {
+      const std::int32_t waits = waiting[i];
       const bool same = keys[i] == key;
-      group[i] = same ? waiting[i] : 0;
-      waiting[i] = same ? 0 : waiting[i];
+      group[i] = same ? waits : 0;
+      waiting[i] = same ? 0 : waits;
     }
     visit(first, group);
   }

@@ -44,8 +44,8 @@ inline Vec3f fraction(const Bsdf& b, const ViewLobe& lobe, const Vec3f& directio
   const Vec3f diffuse = lobe.diffuse * cos_light;
   const Vec3f facets = facet_reflection(b, lobe, cos_light, direction);
   const bool rough = b.alpha >= smallest_alpha;
-  const bool seen =
-      (cos_light > 0.0F) & (lobe.cos_view > 0.0F) & (glm::dot(b.facet, direction) > 0.0F);
+  const float above_facet = glm::dot(b.facet, direction);
+  const bool seen = (cos_light > 0.0F) & (lobe.cos_view > 0.0F) & (above_facet > 0.0F);
   return {seen ? diffuse.x + (rough ? facets.x : 0.0F) : 0.0F,
           seen ? diffuse.y + (rough ? facets.y : 0.0F) : 0.0F,
           seen ? diffuse.z + (rough ? facets.z : 0.0F) : 0.0F};

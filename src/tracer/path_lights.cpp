@@ -12,6 +12,16 @@ constexpr float least_light = 1e-4F;  // what is dimmed below this fraction is d
 
 }  // namespace
 
+// Where all surfaces rest in the world, nobody asks for their boosts.
+void PathWalk::find_rest_frames(LitLanes& lit) const {
+  lit.all_rest = true;
+  for (int i = 0; i < packet_size; ++i) {
+    if (lit.active[i] == 0) continue;
+    lit.rest_from_world[i] = &stage_.frames.frame(hits_.frame[i]).coordinates().from_world;
+    lit.all_rest = lit.all_rest && lit.rest_from_world[i]->is_identity();
+  }
+}
+
 void PathWalk::add_lights() {
   LitLanes lit;
   lit.omega = paths_.omega;
@@ -19,13 +29,8 @@ void PathWalk::add_lights() {
   for (int i = 0; inside_ && i < packet_size; ++i) {
     if (in_medium(i)) lit.active[i] = 0;
   }
-  lit.all_rest = true;
-  for_each_group(hits_.frame, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
-    const auto* from_world = &stage_.frames.frame(hits_.frame[first]).coordinates().from_world;
-    lit.all_rest = lit.all_rest && from_world->is_identity();
-    for (int i = 0; i < packet_size; ++i) set_in(group, i, lit.rest_from_world, from_world);
-  });
   if (!any_active(lit.active)) return;
+  find_rest_frames(lit);
   ViewLobeLanes lobes;
   view_lobes(vertices_.bsdf, lobes);
   for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
@@ -60,7 +65,8 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
   let_through(shadows, from_light.s_light, left);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const bool lights = (reached[i] != 0) & (left[i] > 0.0F);
+    const float left_of_lane = left[i];
+    const bool lights = (reached[i] != 0) & (left_of_lane > 0.0F);
     paths_.radiance.x[i] += lights ? arriving.x[i] * left[i] : 0.0F;
     paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
     paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;

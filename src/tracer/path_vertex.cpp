@@ -57,14 +57,16 @@ void PathWalk::meet() {
   }
 }
 
-void PathWalk::arrive() {
+RESTFRAME_CLONES void PathWalk::arrive() {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const bool from_outside = met_[i] != 0 && rays_.active[i] != 0;
-    paths_.omega[i] = from_outside ? -hits_.rest_k_t[i] : paths_.omega[i];
-    paths_.coverage[i] = met_[i] != 0 ? 1.0F : paths_.coverage[i];
-    rays_.active[i] = met_[i] != 0 ? 0 : rays_.active[i];
-    in_medium_.active[i] = met_[i] != 0 ? 0 : in_medium_.active[i];
+    const bool met = met_[i] != 0;
+    const std::int32_t outside = rays_.active[i];
+    const bool from_outside = met & (outside != 0);
+    blend(from_outside, paths_.omega[i], -hits_.rest_k_t[i]);
+    blend(met, paths_.coverage[i], 1.0F);
+    blend(met, rays_.active[i], 0);
+    blend(met, in_medium_.active[i], 0);
   }
   for (int lane = 0; inside_ && lane < packet_size; ++lane) {
     if (met_[lane] != 0 && in_medium(lane)) absorb(lane);

@@ -42,17 +42,19 @@ void PathWalk::take_radiance(RadianceLanes& radiance) const {
 bool PathWalk::find_surfaces() {
   const bool outside = any_active(rays_.active);
   inside_ = stage_.has_media && any_active(in_medium_.active);
+  if (!outside && !inside_) return false;
   if (outside) stage_.frames.nearest(rays_, hits_);
   if (inside_) stage_.frames.nearest(in_medium_, hits_);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const std::int32_t active = rays_.active[i] | in_medium_.active[i];
-    hit_[i] = hits_.frame[i] >= 0 ? active : 0;
-    missed_[i] = hits_.frame[i] >= 0 ? 0 : active;
+    const std::int32_t hit = hits_.frame[i] >= 0 ? -1 : 0;
+    hit_[i] = hit & active;
+    missed_[i] = ~hit & active;
   }
   surfaces_at(stage_.scene, stage_.frames, hits_, hit_, surfaces_);
   stage_.frames.locate(hit_, stage_.has_clocks || data_ != nullptr, hits_, vertices_.at);
-  return outside || inside_;
+  return true;
 }
 
 // Objects of one velocity may be in several rest frames, by their sizes.

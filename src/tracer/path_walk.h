@@ -93,6 +93,7 @@ class PathWalk {
   void set_geometry();
 
   void add_lights();
+  void find_rest_frames(LitLanes& lit) const;
   void add_light(const LightPlace& light, const LitLanes& lit, const ViewLobeLanes& lobes);
   void let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
   void dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);

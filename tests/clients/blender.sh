@@ -6,6 +6,7 @@
 # succeeds where they can not be had, unless RESTFRAME_NEED_BLENDER is set.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=SCRIPTDIR/../support/packages.sh
 source "$here/../support/packages.sh"
 program=$(realpath "${1:-$here/../../build/release/restframe}")
 

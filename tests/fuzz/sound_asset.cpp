@@ -32,7 +32,8 @@ void require_sound(const Mesh& mesh, const Asset& asset) {
   for (const auto& uvs : mesh.uvs) require(fits(uvs, mesh), "count of an attribute");
   require(!mesh.materials.empty() && mesh.materials[0].first_triangle == 0, "material ranges");
   for (const MaterialRange& range : mesh.materials) {
-    require(is_index(range.slot, asset.materials), "material slot");
+    const std::size_t slots = asset.materials.size() + asset.variant_slots.size();
+    require(range.slot >= 0 && static_cast<std::size_t>(range.slot) < slots, "material slot");
   }
 }
 

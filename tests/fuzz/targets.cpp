@@ -66,7 +66,8 @@ void read_mtl(const fs::path& path, std::string_view) {
 
 void read_image(const fs::path&, std::string_view bytes) {
   expect_input_errors_only([&] {
-    decode_image({bytes.begin(), bytes.end()}, "image", small_limits());
+    const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());  // that ends where it ends
+    decode_image(copy, "image", small_limits());
   });
 }
 
