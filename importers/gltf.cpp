@@ -92,7 +92,7 @@ void add_default_material(const tinygltf::Model& model, Asset& asset) {
   }
 }
 
-void read_surfaces(const GltfContext& context, const tinygltf::Model& model,
+void read_surfaces(const GltfContext& context, tinygltf::Model& model,
                    const std::vector<ImageSource>& images, Asset& asset) {
   std::vector<UsedImage> used_images;
   read_materials(context, model, asset, used_images);
@@ -148,7 +148,7 @@ Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings
   const GltfContext context{path, path.string(), limits, warnings, files};
   GltfContainer container = read_container(context);
   Json document = parse_gltf_json(context, container.json);
-  container.json = {};
+  std::string().swap(container.json);  // an assignment would keep its memory
   check_gltf(context, document);
   const std::vector<ImageSource> images = take_image_sources(document);
   GltfTreeParts tree_parts = take_tree_parts(context, document);

@@ -154,11 +154,12 @@ Run sparse_values(const tinygltf::Model& model, const tinygltf::Accessor& access
 
 template <class Element>
 std::vector<Element> read_elements(const GltfContext& context, const tinygltf::Model& model,
-                                   int index, const Element& missing) {
+                                   int index, const Element& missing, std::size_t room = 0) {
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
   const Run run = run_of(model, accessor);
   std::vector<Element> elements;
-  elements.reserve(run.count + 1);  // one more for Embree's reads past the last vertex
+  elements.reserve(std::max(run.count, room) +
+                   1);  // one more for Embree's reads past the last vertex
   elements.resize(run.count, run.first == nullptr ? Element(0) : missing);
   if (run.first != nullptr) copy_elements(run, elements.data());
   if (!accessor.sparse.isSparse) return elements;
@@ -171,19 +172,19 @@ std::vector<Element> read_elements(const GltfContext& context, const tinygltf::M
 
 }  // namespace
 
-std::vector<Vec2f> read_vec2(const GltfContext& context, const tinygltf::Model& model,
-                             int accessor) {
-  return read_elements(context, model, accessor, Vec2f(1));
+std::vector<Vec2f> read_vec2(const GltfContext& context, const tinygltf::Model& model, int accessor,
+                             std::size_t room) {
+  return read_elements(context, model, accessor, Vec2f(1), room);
 }
 
-std::vector<Vec3f> read_vec3(const GltfContext& context, const tinygltf::Model& model,
-                             int accessor) {
-  return read_elements(context, model, accessor, Vec3f(1));
+std::vector<Vec3f> read_vec3(const GltfContext& context, const tinygltf::Model& model, int accessor,
+                             std::size_t room) {
+  return read_elements(context, model, accessor, Vec3f(1), room);
 }
 
-std::vector<Vec4f> read_vec4(const GltfContext& context, const tinygltf::Model& model,
-                             int accessor) {
-  return read_elements(context, model, accessor, Vec4f(1));
+std::vector<Vec4f> read_vec4(const GltfContext& context, const tinygltf::Model& model, int accessor,
+                             std::size_t room) {
+  return read_elements(context, model, accessor, Vec4f(1), room);
 }
 
 std::vector<Mat4> read_mat4(const GltfContext& context, const tinygltf::Model& model,

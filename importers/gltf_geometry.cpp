@@ -112,18 +112,19 @@ void mend_tangents(const PrimitivePlace& place, Mesh& mesh) {
 }
 
 void drop_unused_vertices(Mesh& mesh) {
-  constexpr std::uint32_t unused = 0xFFFFFFFF;
-  std::vector<std::uint32_t> renumbered(mesh.positions.size(), unused);
+  std::vector<std::uint8_t> is_used(mesh.positions.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t vertex : triangle) renumbered[vertex] = 0;
+    for (const std::uint32_t vertex : triangle) is_used[vertex] = 1;
   }
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t i = 0; i < renumbered.size(); ++i) {
-    if (renumbered[i] == unused) continue;
+  const auto used = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
+  if (used == is_used.size()) return;
+  std::vector<std::uint32_t> renumbered(is_used.size(), 0), kept;
+  kept.reserve(used);
+  for (std::uint32_t i = 0; i < is_used.size(); ++i) {
+    if (is_used[i] == 0) continue;
     renumbered[i] = static_cast<std::uint32_t>(kept.size());
     kept.push_back(i);
   }
-  if (kept.size() == renumbered.size()) return;
   take_vertices(mesh, kept, mesh);
   for (Triangle& triangle : mesh.triangles) {
     for (std::uint32_t& vertex : triangle) vertex = renumbered[vertex];

@@ -91,6 +91,21 @@ std::vector<Decoding> open_all(const GltfContext& context, const tinygltf::Model
   return images;
 }
 
+// Frees the buffers, which only images still need, where copies of the images' bytes take less than
+// half as much.
+void release_buffers(tinygltf::Model& model, std::vector<Decoding>& images) {
+  std::size_t held = 0, copied = 0;
+  for (const tinygltf::Buffer& buffer : model.buffers) held += buffer.data.size();
+  for (const Decoding& image : images) copied += image.bytes.size() - image.file.size();
+  if (copied > held / 2) return;
+  for (Decoding& image : images) {
+    if (!image.file.empty()) continue;
+    image.file.assign(image.bytes.begin(), image.bytes.end());
+    image.bytes = image.file;
+  }
+  for (tinygltf::Buffer& buffer : model.buffers) Bytes().swap(buffer.data);
+}
+
 void decode(const GltfContext& context, Decoding& image, Image& target) {
   if (image.fault || image.bytes.empty()) return;
   try {
@@ -151,7 +166,7 @@ std::vector<ImageSource> take_image_sources(Json& document) {
   return sources;
 }
 
-void read_images(const GltfContext& context, const tinygltf::Model& model,
+void read_images(const GltfContext& context, tinygltf::Model& model,
                  const std::vector<ImageSource>& sources, const std::vector<UsedImage>& used,
                  Asset& asset) {
   if (used.size() < sources.size()) {
@@ -162,6 +177,7 @@ void read_images(const GltfContext& context, const tinygltf::Model& model,
     asset.images.emplace_back().name = name.empty() ? "image_" + std::to_string(each.image) : name;
   }
   std::vector<Decoding> images = open_all(context, model, sources, used);
+  release_buffers(model, images);
   const auto ends_it = [](const Decoding& image) { return image.fault && image.used.is_seen; };
   if (std::none_of(images.begin(), images.end(), ends_it)) decode_all(context, images, asset);
   for (const Decoding& image : images) {

@@ -23,8 +23,9 @@ std::vector<ImageSource> take_image_sources(Json& document);
 // checked against the limits before the first is decoded. Of faults, the first image's in the file's
 // order is thrown: of those that show before decoding, then of those that decoding finds. Of images
 // that are only data for shading, faults are no more than warnings: the asset's materials go without
-// them, and one white pixel stands where they would be.
-void read_images(const GltfContext& context, const tinygltf::Model& model,
+// them, and one white pixel stands where they would be. The last to read the model's buffers: it
+// may free them.
+void read_images(const GltfContext& context, tinygltf::Model& model,
                  const std::vector<ImageSource>& sources, const std::vector<UsedImage>& used,
                  Asset& asset);
 

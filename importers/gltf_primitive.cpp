@@ -1,6 +1,8 @@
 #include "importers/gltf_primitive.h"
 
+#include <algorithm>
 #include <limits>
+#include <map>
 
 #include "importers/gltf_accessor.h"
 #include "importers/gltf_layout.h"
@@ -12,6 +14,15 @@ namespace {
 int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
   const auto found = primitive.attributes.find(name);
   return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+std::size_t accessor_count(const tinygltf::Model& model, int accessor) {
+  return model.accessors[static_cast<std::size_t>(accessor)].count;
+}
+
+std::size_t corner_count(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+  return accessor_count(
+      model, primitive.indices >= 0 ? primitive.indices : attribute(primitive, "POSITION"));
 }
 
 // The value that glTF keeps from indices of this type: all bits set.
@@ -44,8 +55,10 @@ void warn_of_rest(const PrimitivePlace& place, std::size_t corners) {
 }
 
 // Strips and fans; the triangles without area that join the pieces of strips are left out.
-std::vector<Triangle> unroll(const std::vector<std::uint32_t>& corners, bool fan) {
+std::vector<Triangle> unroll(const std::vector<std::uint32_t>& corners, bool fan,
+                             std::size_t room) {
   std::vector<Triangle> triangles;
+  triangles.reserve(std::max(corners.size(), room));
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const std::size_t odd = i % 2;
     const Triangle triangle =
@@ -60,27 +73,28 @@ std::vector<Triangle> unroll(const std::vector<std::uint32_t>& corners, bool fan
 }
 
 std::vector<Triangle> read_triangles(const PrimitivePlace& place, const tinygltf::Model& model,
-                                     const tinygltf::Primitive& primitive, std::size_t vertices) {
-  const int accessor = primitive.indices;
-  const std::size_t corners =
-      accessor >= 0 ? model.accessors[static_cast<std::size_t>(accessor)].count : vertices;
+                                     const tinygltf::Primitive& primitive, std::size_t vertices,
+                                     std::size_t room) {
+  const std::size_t corners = corner_count(model, primitive);
   if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
     // Three corners a triangle, straight into the mesh.
-    std::vector<Triangle> triangles((corners + 2) / 3);
-    read_corners(place, model, accessor, corners, vertices, triangles.data()->data());
+    std::vector<Triangle> triangles;
+    triangles.reserve(std::max((corners + 2) / 3, room));
+    triangles.resize((corners + 2) / 3);
+    read_corners(place, model, primitive.indices, corners, vertices, triangles.data()->data());
     triangles.resize(corners / 3);
     if (corners % 3 != 0) warn_of_rest(place, corners % 3);
     return triangles;
   }
   if (corners < 3) warn_of_rest(place, corners);
   std::vector<std::uint32_t> strip(corners);
-  read_corners(place, model, accessor, corners, vertices, strip.data());
-  return unroll(strip, primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN);
+  read_corners(place, model, primitive.indices, corners, vertices, strip.data());
+  return unroll(strip, primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN, room);
 }
 
 std::vector<Vec4f> read_colors(const PrimitivePlace& place, const tinygltf::Model& model,
-                               int accessor) {
-  std::vector<Vec4f> colors = read_vec4(place.context, model, accessor);
+                               int accessor, std::size_t room) {
+  std::vector<Vec4f> colors = read_vec4(place.context, model, accessor, room);
   if (model.accessors[static_cast<std::size_t>(accessor)].type == TINYGLTF_TYPE_VEC3) {
     for (Vec4f& color : colors) color.w = 1;
   }
@@ -89,21 +103,23 @@ std::vector<Vec4f> read_colors(const PrimitivePlace& place, const tinygltf::Mode
 
 // Tangents without normals mean nothing, and are left out.
 Mesh read_attributes(const PrimitivePlace& place, const tinygltf::Model& model,
-                     const tinygltf::Primitive& primitive) {
+                     const tinygltf::Primitive& primitive, std::size_t room) {
   Mesh mesh;
-  mesh.positions = read_vec3(place.context, model, attribute(primitive, "POSITION"));
+  mesh.positions = read_vec3(place.context, model, attribute(primitive, "POSITION"), room);
   check_positions(place, mesh.positions);
   const int normals = attribute(primitive, "NORMAL"), tangents = attribute(primitive, "TANGENT"),
             colors = attribute(primitive, "COLOR_0");
-  if (normals >= 0) mesh.normals = read_vec3(place.context, model, normals);
-  if (normals >= 0 && tangents >= 0) mesh.tangents = read_vec4(place.context, model, tangents);
+  if (normals >= 0) mesh.normals = read_vec3(place.context, model, normals, room);
+  if (normals >= 0 && tangents >= 0) {
+    mesh.tangents = read_vec4(place.context, model, tangents, room);
+  }
   for (std::size_t set = 0;; ++set) {
     const int uvs = attribute(primitive, "TEXCOORD_" + std::to_string(set));
     if (uvs < 0) break;
     if (set >= mesh.uvs.size()) mesh.uvs.emplace_back();
-    mesh.uvs[set] = read_vec2(place.context, model, uvs);
+    mesh.uvs[set] = read_vec2(place.context, model, uvs, room);
   }
-  if (colors >= 0) mesh.colors = read_colors(place, model, colors);
+  if (colors >= 0) mesh.colors = read_colors(place, model, colors, room);
   return mesh;
 }
 
@@ -114,14 +130,38 @@ void turn_over(std::vector<Triangle>& triangles) {
 
 }  // namespace
 
+bool is_surface(const tinygltf::Primitive& primitive) {
+  return primitive.mode == TINYGLTF_MODE_TRIANGLES ||
+         primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+         primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+WholeMesh whole_of(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
+  WholeMesh whole;
+  std::size_t surfaces = 0;
+  std::map<int, std::size_t> corners_of;  // by the accessor of the positions
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    if (!is_surface(primitive)) continue;
+    ++surfaces;
+    const std::size_t corners = corner_count(model, primitive);
+    corners_of[attribute(primitive, "POSITION")] += corners;
+    whole.triangles += primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
+  }
+  for (const auto& [positions, corners] : corners_of) {
+    whole.vertices += std::min(corners, accessor_count(model, positions));
+  }
+  whole.shares_vertices = surfaces > 1;
+  return whole;
+}
+
 Mesh read_primitive(const PrimitivePlace& place, const tinygltf::Model& model,
                     const tinygltf::Primitive& primitive, const PosedMesh& posed, Skins& skins,
-                    bool shares_vertices) {
-  Mesh mesh = read_attributes(place, model, primitive);
+                    const WholeMesh& whole) {
+  Mesh mesh = read_attributes(place, model, primitive, whole.vertices);
   add_targets(place, model, primitive, posed.weights, mesh);
   check_attributes(place, mesh);
   for (Vec4f& color : mesh.colors) color = glm::clamp(color, 0.0F, 1.0F);  // glTF 2.0, 3.7.2.1
-  mesh.triangles = read_triangles(place, model, primitive, mesh.positions.size());
+  mesh.triangles = read_triangles(place, model, primitive, mesh.positions.size(), whole.triangles);
   mend_normals(place, mesh);
   mend_tangents(place, mesh);
   if (posed.skin >= 0) {
@@ -129,7 +169,7 @@ Mesh read_primitive(const PrimitivePlace& place, const tinygltf::Model& model,
   }
   check_positions(place, mesh.positions);
   if (posed.mirrored) turn_over(mesh.triangles);
-  if (shares_vertices || 3 * mesh.triangles.size() < mesh.positions.size()) {
+  if (whole.shares_vertices || 3 * mesh.triangles.size() < mesh.positions.size()) {
     drop_unused_vertices(mesh);
   }
   return mesh;

@@ -8,10 +8,24 @@
 
 namespace restframe {
 
+// Its modes that show triangles.
+bool is_surface(const tinygltf::Primitive& primitive);
+
+// What a primitive is to become a part of.
+struct WholeMesh {
+  bool shares_vertices = false;  // other primitives may use the same vertices
+  // For how many there is to be memory, if that is more than the primitive has.
+  std::size_t vertices = 0, triangles = 0;
+};
+
+// The whole that a mesh's surfaces make. Primitives that share a list of vertices are taken to share
+// it out: where they do not, there are more vertices.
+WholeMesh whole_of(const tinygltf::Model& model, const tinygltf::Mesh& mesh);
+
 // Its vertices and triangles in their rest pose; no normals where it has none: glTF's shading
-// is flat then. `shares_vertices`: other primitives may use the same vertices.
+// is flat then.
 Mesh read_primitive(const PrimitivePlace& place, const tinygltf::Model& model,
                     const tinygltf::Primitive& primitive, const PosedMesh& posed, Skins& skins,
-                    bool shares_vertices);
+                    const WholeMesh& whole);
 
 }  // namespace restframe

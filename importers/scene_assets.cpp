@@ -22,6 +22,12 @@ void move_into(std::vector<T>& target, std::vector<T>& source) {
                 std::make_move_iterator(source.end()));
 }
 
+// Of the nodes from `node` on.
+std::vector<Part>::const_iterator first_part(const SceneAsset& asset, int node) {
+  const auto is_before = [](const Part& part, int wanted) { return part.node < wanted; };
+  return std::lower_bound(asset.parts.begin(), asset.parts.end(), node, is_before);
+}
+
 void sort_by_name(const std::vector<AssetNode>& nodes, std::vector<int>& sorted) {
   sorted.resize(nodes.size());
   std::iota(sorted.begin(), sorted.end(), 0);
@@ -116,13 +122,22 @@ void drop_unused_meshes(Scene& scene) {
   }
 }
 
+std::size_t count_parts(const SceneAsset& asset, const NodeRanges& nodes) {
+  std::size_t count = 0;
+  for (const NodeRange& range : nodes) {
+    count +=
+        static_cast<std::size_t>(first_part(asset, range.end) - first_part(asset, range.begin));
+  }
+  return count;
+}
+
 std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& nodes,
                                      const Mat4& object_from_asset) {
   std::vector<PlacedMesh> parts;
+  parts.reserve(count_parts(asset, nodes));
   for (const NodeRange& range : nodes) {
-    const auto is_before = [](const Part& part, int node) { return part.node < node; };
-    auto part = std::lower_bound(asset.parts.begin(), asset.parts.end(), range.begin, is_before);
-    for (; part != asset.parts.end() && part->node < range.end; ++part) {
+    const auto end = first_part(asset, range.end);
+    for (auto part = first_part(asset, range.begin); part != end; ++part) {
       parts.push_back({part->mesh, object_from_asset * part->asset_from_mesh});
     }
   }

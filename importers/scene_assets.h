@@ -41,6 +41,9 @@ NodeRanges find_nodes(SceneAsset& asset, const std::string& pattern);
 // Removes the meshes that no object places: those of an asset's other scenes or nodes.
 void drop_unused_meshes(Scene& scene);
 
+// How many parts placed_parts gives.
+std::size_t count_parts(const SceneAsset& asset, const NodeRanges& nodes);
+
 // The parts of an object that holds these nodes, and whose coordinates are object_from_asset times
 // the asset's.
 std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& nodes,

@@ -59,6 +59,7 @@ struct SceneFile {
   std::vector<AssetAuthoring> authoring;  // one an asset
   std::optional<Path> asset_being_read;   // its extras: what they name lies in its folder
   std::size_t triangles = 0;              // of all assets
+  std::size_t placed_bytes = 0;           // of what objects take of their assets
   std::map<std::string, int> object_of_name;
   std::map<std::string, int> light_names;   // with the last number that made one of it
   std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings

@@ -98,6 +98,26 @@ NodeGroups read_groups(TableReader& object, const AssetAuthoring& said, const As
   return groups;
 }
 
+// Objects share their assets' meshes, but each has its own list of what it places and of materials:
+// many that place all of a large asset would take any amount. False where it is too much: the first
+// time with a fault.
+bool fits(const TableReader& reader, const SceneAsset& asset, const NodeRanges& nodes,
+          std::size_t moving, SceneFile& file) {
+  const std::size_t limit = file.limits.total_bytes, parts = count_parts(asset, nodes);
+  const bool fitted = file.placed_bytes <= limit;
+  const std::size_t material_bytes = static_cast<std::size_t>(slot_count(asset)) * sizeof(int);
+  file.placed_bytes += parts * sizeof(PlacedMesh) + nodes.size() * sizeof(NodeRange) +
+                       (1 + moving) * (sizeof(Object) + material_bytes);
+  if (file.placed_bytes <= limit) return true;
+  if (fitted) {
+    reader.report(reader.place(),
+                  fmt::format("places {} of its asset's meshes: the lists of all objects up to "
+                              "this one need more than {} bytes, the limit; --max-bytes raises it",
+                              parts, limit));
+  }
+  return false;
+}
+
 // Of nodes that are there, but have nothing to show.
 void warn_if_empty(TableReader& reader, const SceneAsset& asset, const Object& object,
                    const NodeGroups& groups, SceneFile& file) {
@@ -127,6 +147,10 @@ void read_object(const ConfigTable& table, SceneFile& file) {
     nodes = read_nodes(reader, its_asset);
     groups = read_groups(reader, file.authoring[static_cast<std::size_t>(*asset)], its_asset.tree,
                          nodes);
+    if (!fits(reader, its_asset, nodes, groups.moving.size(), file)) {
+      groups = {};
+      nodes.clear();
+    }
     object.parts = placed_parts(its_asset, groups.resting, object_from_asset);
     warn_if_empty(reader, its_asset, object, groups, file);
   }

@@ -64,7 +64,8 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
   add("--max-nodes", limits.nodes, "Nodes and instances");
   add("--max-triangles", limits.triangles, "Stored triangles");
   add("--max-image-pixels", limits.image_pixels, "Pixels of an image");
-  add("--max-bytes", limits.total_bytes, "All of an asset's files");
+  add("--max-bytes", limits.total_bytes,
+      "All of an asset's files, what they unpack to, objects' lists");
 }
 
 struct Texts {

@@ -5,6 +5,7 @@
 
 #include "scene/error.h"
 #include "scene/lattice_layout.h"
+#include "scene/mesh_append.h"
 
 namespace restframe {
 namespace {
@@ -48,7 +49,7 @@ void append_placed(Mesh& mesh, const Mesh& part, const Mat4& matrix, int slot) {
   Mesh moved = part;
   for (Vec3f& position : moved.positions) position = Vec3(matrix * glm::dvec4(position, 1));
   for (Vec3f& normal : moved.normals) normal = Mat3(matrix) * Vec3(normal);
-  append(mesh, moved, slot);
+  append_and_free(mesh, std::move(moved), slot);
 }
 
 Mesh joined(const LatticeSettings& settings, const Mesh& ball, const Mesh& rod, double inset) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scene/error.h"
+#include "scene/mesh_append.h"
 
 namespace restframe {
 namespace {
@@ -43,14 +44,20 @@ void store_flat_normals(Mesh& mesh) {
   }
 }
 
-// `to` holds one value for each of `to_count` vertices, or none; likewise `from`.
+// The number of vertices of the two meshes that become one, and what the first has room for.
+struct JoinedCounts {
+  std::size_t to, from, room;
+};
+
+// `to` holds one value for each of its vertices, or none; likewise `from`.
 template <class T>
-void append_attribute(std::vector<T>& to, std::size_t to_count, const std::vector<T>& from,
-                      std::size_t from_count, const T& missing) {
+void append_attribute(const JoinedCounts& counts, std::vector<T>& to, std::vector<T> from,
+                      const T& missing) {
   if (to.empty() && from.empty()) return;
-  to.resize(to_count, missing);
+  to.reserve(counts.room);
+  to.resize(counts.to, missing);
   if (from.empty()) {
-    to.resize(to_count + from_count, missing);
+    to.resize(counts.to + counts.from, missing);
   } else {
     to.insert(to.end(), from.begin(), from.end());
   }
@@ -64,21 +71,21 @@ void append_range(Mesh& mesh, int slot) {
   }
 }
 
-void append_same_normals(Mesh& mesh, const Mesh& part, int slot) {
+void append_same_normals(Mesh& mesh, Mesh part, int slot) {
   const std::size_t count = mesh.positions.size(), more = part.positions.size();
   if (count + more > std::numeric_limits<std::uint32_t>::max()) {
     throw InputError("mesh '" + mesh.name + "': more than 4294967295 vertices");
   }
   if (!part.triangles.empty()) append_range(mesh, slot);
-  append_attribute(mesh.normals, count, part.normals, more, Vec3f(0, 0, 1));
-  append_attribute(mesh.tangents, count, part.tangents, more, Vec4f(0));
-  append_attribute(mesh.colors, count, part.colors, more, Vec4f(1));
-  mesh.uvs.resize(std::max(mesh.uvs.size(), part.uvs.size()));
-  for (std::size_t set = 0; set < part.uvs.size(); ++set) {
-    append_attribute(mesh.uvs[set], count, part.uvs[set], more, Vec2f(0));
-  }
-  for (std::size_t set = part.uvs.size(); set < mesh.uvs.size(); ++set) {
-    append_attribute(mesh.uvs[set], count, {}, more, Vec2f(0));
+  const JoinedCounts counts{count, more, mesh.positions.capacity()};
+  append_attribute(counts, mesh.normals, std::move(part.normals), Vec3f(0, 0, 1));
+  append_attribute(counts, mesh.tangents, std::move(part.tangents), Vec4f(0));
+  append_attribute(counts, mesh.colors, std::move(part.colors), Vec4f(1));
+  const std::size_t sets = std::max(mesh.uvs.size(), part.uvs.size());
+  mesh.uvs.resize(sets);
+  part.uvs.resize(sets);
+  for (std::size_t set = 0; set < sets; ++set) {
+    append_attribute(counts, mesh.uvs[set], std::move(part.uvs[set]), Vec2f(0));
   }
   mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
   const auto first = static_cast<std::uint32_t>(count);
@@ -132,16 +139,15 @@ int find_material_slot(const Mesh& mesh, std::uint32_t triangle) {
 }
 
 void append(Mesh& mesh, const Mesh& part, int slot) {
+  append_and_free(mesh, part, slot);
+}
+
+void append_and_free(Mesh& mesh, Mesh part, int slot) {
   if (mesh.materials.empty()) mesh.materials = {{0, slot}};
   const bool both = !mesh.positions.empty() && !part.positions.empty();
   if (both && mesh.normals.empty() && !part.normals.empty()) store_flat_normals(mesh);
-  if (both && part.normals.empty() && !mesh.normals.empty()) {
-    Mesh with_normals = part;
-    store_flat_normals(with_normals);
-    append_same_normals(mesh, with_normals, slot);
-  } else {
-    append_same_normals(mesh, part, slot);
-  }
+  if (both && part.normals.empty() && !mesh.normals.empty()) store_flat_normals(part);
+  append_same_normals(mesh, std::move(part), slot);
 }
 
 void pad_for_embree(Mesh& mesh) {
