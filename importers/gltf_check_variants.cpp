@@ -53,19 +53,23 @@ void check_mapping(const Place& mapping, const Place& document, std::size_t vari
   }
 }
 
+void check_primitive(const Place& primitive, const Place& document, std::size_t variants) {
+  with_extension(primitive, [&](const Place& extension) {
+    extension.require_member("mappings");
+    std::set<std::uint64_t> mapped;
+    for_each_object(extension, "mappings", [&](const Place& mapping) {
+      check_mapping(mapping, document, variants, mapped);
+    });
+  });
+}
+
 }  // namespace
 
 void check_variants(const Place& document) {
   const std::size_t variants = check_names(document);
   for_each_object(document, "meshes", [&](const Place& mesh) {
     for_each_object(mesh, "primitives", [&](const Place& primitive) {
-      with_extension(primitive, [&](const Place& extension) {
-        extension.require_member("mappings");
-        std::set<std::uint64_t> mapped;
-        for_each_object(extension, "mappings", [&](const Place& mapping) {
-          check_mapping(mapping, document, variants, mapped);
-        });
-      });
+      check_primitive(primitive, document, variants);
     });
   });
 }

@@ -16,24 +16,25 @@ struct Users {
   std::map<int, std::size_t> having;  // that set of texture coordinates, how many
 };
 
+std::string named(int set) {
+  return "TEXCOORD_" + std::to_string(set);
+}
+
+void add_user(const tinygltf::Primitive& primitive, Users& users) {
+  ++users.count;
+  for (int set = 0; primitive.attributes.count(named(set)) > 0; ++set) ++users.having[set];
+}
+
 std::map<int, Users> users_of_materials(const tinygltf::Model& model) {
   std::map<int, Users> users;
   for (const tinygltf::Mesh& mesh : model.meshes) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       for (const int material : possible_materials(primitive)) {
-        Users& of_material = users[material];
-        ++of_material.count;
-        for (int set = 0; primitive.attributes.count("TEXCOORD_" + std::to_string(set)); ++set) {
-          ++of_material.having[set];
-        }
+        add_user(primitive, users[material]);
       }
     }
   }
   return users;
-}
-
-std::string named(int set) {
-  return "TEXCOORD_" + std::to_string(set);
 }
 
 }  // namespace
