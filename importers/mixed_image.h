@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <functional>
 #include <string>
+#include <tuple>
 
 #include "importers/importers.h"
 
@@ -16,7 +16,11 @@ struct ChannelSource {
   char channel = 'r';
   float base = 0, gain = 1;
 
-  friend auto operator<=>(const ChannelSource&, const ChannelSource&) = default;
+  bool operator==(const ChannelSource& other) const = default;
+  bool operator<(const ChannelSource& other) const {
+    return std::tie(file, channel, base, gain) <
+           std::tie(other.file, other.channel, other.base, other.gain);
+  }
 };
 
 using ChannelSources = std::array<ChannelSource, 4>;  // of red, green, blue, alpha
