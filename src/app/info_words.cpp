@@ -23,6 +23,7 @@ const Mesh& mesh_of(const std::vector<Mesh>& meshes, const PlacedMesh& part) {
 
 Bounds bounds_of_boxes(const std::vector<Mesh>& meshes, const std::vector<PlacedMesh>& parts) {
   std::vector<Bounds> boxes;
+  boxes.reserve(meshes.size());
   for (const Mesh& mesh : meshes) boxes.push_back(bounds_of(mesh));
   Bounds all;
   for (const PlacedMesh& part : parts) {
