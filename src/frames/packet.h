@@ -103,6 +103,7 @@ struct RayPacket {
   Lanes<double> s_min;         // 0, or where the last surface was passed
   Lanes<std::int32_t> active;  // Embree's convention: -1 active, 0 not
   bool coherent = true;        // from one event, or nearly so, and close together
+  bool one_event = false;      // all lanes' origins are the same, as long as they are coherent
 };
 
 // Light within a medium, traced back in time: points are origin + s step. In the medium's rest

@@ -110,6 +110,7 @@ class RestFrame {
                   std::span<const int> uses_of_mesh);
   void set_traversal(const Mat4& rest_from_traversal);
   void set_origins(const EventLanes<in::World>& origin, LocalRays& local) const;
+  void set_origin(const Event<in::World>& origin, LocalRays& local) const;
   LocalRays localised(const RayPacket& rays) const;
   LocalRays localised(const MediumRayPacket& rays) const;
   void find_hits(LocalRays& local, const Lanes<double>& s_min, const Lanes<std::int32_t>& active,

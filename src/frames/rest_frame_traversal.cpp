@@ -160,9 +160,23 @@ void RestFrame::set_origins(const EventLanes<in::World>& origin, LocalRays& loca
   }
 }
 
+void RestFrame::set_origin(const Event<in::World>& origin, LocalRays& local) const {
+  const Displacement<in::Rest> from_anchor = coordinates_.from_world(origin - coordinates_.anchor);
+  const Vec3 place = from_anchor.x - rest_from_traversal_offset_;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    local.rest_t[i] = from_anchor.t;
+    local.origin.set(i, place);
+  }
+}
+
 LocalRays RestFrame::localised(const RayPacket& rays) const {
   LocalRays local;
-  set_origins(rays.origin, local);
+  if (rays.coherent && rays.one_event) {
+    set_origin(rays.origin.at(0), local);
+  } else {
+    set_origins(rays.origin, local);
+  }
   WaveVectorLanes<in::Rest> rest_k;
   transform(coordinates_.from_world, rays.k, rest_k);
 #pragma GCC ivdep

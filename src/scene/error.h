@@ -4,15 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "scene/message.h"
+
 namespace restframe {
 
 // The user's input or options are at fault: exit code 2. Each fault is one line,
 // "FILE:LINE:COLUMN or FILE:/json/pointer: what, the value, what to do".
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(const std::string& fault) : std::runtime_error(fault), faults_{fault} {}
+  explicit InputError(const std::string& fault) : InputError(std::vector<std::string>{fault}) {}
   explicit InputError(std::vector<std::string> faults)
-      : std::runtime_error(faults.at(0)), faults_(std::move(faults)) {}
+      : std::runtime_error(on_one_line(faults.at(0))), faults_(std::move(faults)) {
+    for (std::string& fault : faults_) fault = on_one_line(std::move(fault));
+  }
 
   const std::vector<std::string>& faults() const { return faults_; }
 

@@ -62,6 +62,7 @@ void ExposedCamera::steady_rays(const Moment& opening, const CameraSample& sampl
   const Projection projection = opening.projection;
   if (is_pinhole_) {
     camera_rays(pose, projection, sample.film_x, sample.film_y, rays);
+    rays.one_event = false;
     const Displacement<in::World> second =
         pose.world_from_camera(Displacement<in::Camera>{1.0, {}});
 #pragma GCC ivdep

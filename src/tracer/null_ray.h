@@ -18,6 +18,7 @@ inline void camera_rays(const CameraPose& pose, const Projection& projection,
   }
   transform(pose.world_from_camera, k, rays.k);
   rays.s_min.fill(0.0);
+  rays.one_event = true;
 }
 
 }  // namespace restframe
