@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "importers/warnings.h"
 #include "scene/asset.h"
 #include "scene/generators.h"
 #include "scene/scene.h"
@@ -28,7 +29,6 @@ struct ImportLimits {
   std::size_t total_bytes = 4'000'000'000;
 };
 
-using Warnings = std::vector<std::string>;
 using Path = std::filesystem::path;
 
 // A scene file (.toml), or an asset in its place: one object at rest at the world's origin, in the
