@@ -48,7 +48,7 @@ void PathWalk::scatter_on(int lane) {
       scatter(vertices_.bsdf.at(lane), random(lane, Dimension::lobe),
               random(lane, Dimension::direction_u), random(lane, Dimension::direction_v));
   if (!scattered) return;
-  paths_.throughput.set(lane, paths_.throughput.at(lane) * scattered->weight);
+  weigh(lane, scattered->weight);
   if (!survives(lane)) return;
   if (scattered->through && surfaces_.back[lane] != 0) {
     media_[lane].leave(surfaces_.object[lane], surfaces_.material[lane]);

@@ -75,8 +75,7 @@ RESTFRAME_CLONES void PathWalk::arrive() {
 
 void PathWalk::absorb(int lane) {
   const float length = static_cast<float>(hits_.s[lane] * paths_.omega[lane]);
-  const Vec3f left = glm::exp(-length * media_[lane].top().absorbed);
-  paths_.throughput.set(lane, paths_.throughput.at(lane) * left);
+  weigh(lane, glm::exp(-length * media_[lane].top().absorbed));
 }
 
 RESTFRAME_CLONES void PathWalk::set_plain_material(const PlainMaterial& material,

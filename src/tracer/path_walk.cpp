@@ -79,10 +79,8 @@ void PathWalk::miss() {
 
 void PathWalk::add_environments(int lane) {
   for (const LightPlace& environment : stage_.environments) {
-    const Vec3f radiance =
-        environment_radiance(environment, rays_.origin.at(lane), rays_.k.at(lane),
-                             stage_.scene.render.beaming, evaluator_);
-    paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * radiance);
+    receive(lane, environment_radiance(environment, rays_.origin.at(lane), rays_.k.at(lane),
+                                       stage_.scene.render.beaming, evaluator_));
     paths_.coverage[lane] = 1;
   }
 }

@@ -102,6 +102,14 @@ class PathWalk {
   float index_ratio(int lane, const MetSurface& met, double clock);
   void scatter_on(int lane);
   bool survives(int lane);
+  // The path goes on with this fraction of its light.
+  void weigh(int lane, const Vec3f& weight) {
+    paths_.throughput.set(lane, paths_.throughput.at(lane) * weight);
+  }
+  // Light that arrives at the end of the path, its emitter's factor included.
+  void receive(int lane, const Vec3f& light) {
+    paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * light);
+  }
   void depart(int lane, const Vec3f& direction);
 
   float random(int lane, Dimension dimension) const {
