@@ -43,7 +43,13 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
   incident(light, at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},
            evaluator_, from_light);
   Vec3fLanes arriving;
-  scattered_fraction(vertices_.bsdf, lobes, from_light.direction, arriving);
+  Lanes<float> density;
+  scattered_fraction(vertices_.bsdf, lobes, from_light.direction, arriving, density);
+  // Rays that are refracted into a body do not come to lights straight on.
+  for (int i = 0; vertices_.bsdf.layered && i < packet_size; ++i) {
+    const bool above = glm::dot(vertices_.bsdf.facet.at(i), from_light.direction.at(i)) > 0.0F;
+    if (!above && vertices_.bsdf.layers.thin[i] == 0) from_light.active[i] = 0;
+  }
   RayPacket shadows;
   shadows.coherent = false;  // they begin wherever the paths are
 #pragma GCC ivdep
