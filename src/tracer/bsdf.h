@@ -76,6 +76,7 @@ struct ViewLayers {
   float glass = 0;                  // ... and what is scattered there
   float coat = 0, fibres = 0;       // chances to follow these lobes
   float coat_gain = 0;              // what a coat of perfect mirrors would reflect
+  float fibre_gain = 0;             // factor on what white fibres scatter
   float cos_coat = 1, lambda_coat = 0;
 };
 

@@ -74,7 +74,7 @@ Fraction off_fibres(const Bsdf& b, const ViewLobe& lobe, const ViewLayers& layer
   if (layers.fibres == 0.0F) return {};
   const float scattered =
       fibre_fraction({b.normal, b.view, b.layers.sheen_alpha, lobe.cos_view}, direction);
-  return {b.layers.sheen * (layers.below_coat * scattered), layers.fibres / (2.0F * pi)};
+  return {b.layers.sheen * (layers.fibre_gain * scattered), layers.fibres / (2.0F * pi)};
 }
 
 void add(Fraction& sum, const Fraction& more) {
@@ -119,7 +119,9 @@ Vec3f glass_reflectance(const Bsdf& b, float cos_half) {
 ViewLayers view_layers(const Bsdf& b, ViewLobe& lobe) {
   const BsdfLayers& l = b.layers;
   ViewLayers layers = coated(b);
-  const float fibres = l.sheen == Vec3f(0) ? 0.0F : fibre_albedo(lobe.cos_view, l.sheen_alpha);
+  const float albedo = l.sheen == Vec3f(0) ? 0.0F : fibre_albedo(lobe.cos_view, l.sheen_alpha);
+  const float fibres = std::min(1.0F, albedo);  // sleek ones would shine too much at grazing angles
+  layers.fibre_gain = layers.below_coat / std::max(1.0F, albedo);
   layers.fibres = average(l.sheen) * fibres * layers.below_coat;
   layers.below = layers.below_coat * std::max(0.0F, 1.0F - largest(l.sheen) * fibres);
   for (Vec3f* light : {&lobe.diffuse, &lobe.straight, &lobe.grazing}) *light *= layers.below;
