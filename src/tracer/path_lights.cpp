@@ -31,9 +31,7 @@ void PathWalk::add_lights() {
   }
   if (!any_active(lit.active)) return;
   find_rest_frames(lit);
-  ViewLobeLanes lobes;
-  view_lobes(vertices_.bsdf, lobes);
-  for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
+  for (const LightPlace& light : stage_.lights) add_light(light, lit, vertices_.lobes);
 }
 
 RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLanes& lit,

@@ -63,12 +63,9 @@ void PathWalk::meet() {
   if (shines.any) add_emission(shines);
   if (!any_active(vertices_.active)) return;
   set_geometry();
+  view_lobes(vertices_.bsdf, vertices_.lobes);
   if (!stage_.lights.empty()) add_lights();
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const bool goes_on =
-        stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
-    if (vertices_.active[lane] != 0 && goes_on) scatter_on(lane);
-  }
+  scatter_on();
 }
 
 RESTFRAME_CLONES void PathWalk::arrive() {
