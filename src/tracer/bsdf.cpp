@@ -21,17 +21,15 @@ struct WayLanes {
 
 void choose_ways(const BsdfLanes& bsdf, const ViewLobeLanes& lobes, const Vec3fLanes& numbers,
                  WayLanes& ways, Vec3fLanes& direction) {
-  if (bsdf.layered) {
-    for (int i = 0; i < packet_size; ++i) {
-      const Way way = layered_way(bsdf.at(i), lobes.at(i), lobes.layers[i], numbers.at(i));
-      ways.set(i, way);
-      direction.set(i, way.direction);
-    }
-    return;
-  }
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const Way way = plain_way(bsdf.plain_at(i), lobes.at(i), numbers.at(i));
+    ways.set(i, way);
+    direction.set(i, way.direction);
+  }
+  for (int i = 0; bsdf.layered && i < packet_size; ++i) {
+    if (!bsdf.layers.any(i)) continue;
+    const Way way = layered_way(bsdf.at(i), lobes.at(i), lobes.layers[i], numbers.at(i));
     ways.set(i, way);
     direction.set(i, way.direction);
   }
