@@ -86,7 +86,7 @@ void expect_color(const Vec3& color, const Vec3& expected, double tolerance) {
 TEST(Materials, ClearcoatReflectsFourPercent) {
   expect_color(black_wall("ior = 1"), Vec3(0), 1e-6);
   expect_color(black_wall("ior = 1\nclearcoat = 1"), Vec3(0.04), 1e-4);
-  expect_color(black_wall("ior = 1\nclearcoat = 0.5\nclearcoat_roughness = 0.5"), Vec3(0.02), 1e-3);
+  expect_color(black_wall("ior = 1\nclearcoat = 0.5"), Vec3(0.02), 1e-4);
 }
 
 // What shines below shines through it.
@@ -185,9 +185,9 @@ TEST(Materials, SheenIsAtTheEdges) {
     return static_cast<double>(picture.at(channel, x, 12));
   };
   EXPECT_LT(at("R", 12), 0.02);
-  EXPECT_GT(at("R", 2), 0.2);
-  EXPECT_NEAR(at("G", 2), 0.5 * at("R", 2), 1e-3);
-  EXPECT_EQ(at("B", 2), 0);
+  EXPECT_GT(at("R", 1), 0.12);
+  EXPECT_NEAR(at("G", 1), 0.5 * at("R", 1), 1e-3);
+  EXPECT_EQ(at("B", 1), 0);
 }
 
 }  // namespace
