@@ -44,16 +44,12 @@ CameraSampler::CameraSampler(const Scene& scene)
       rolling_per_pixel_(scene.camera.rolling / scene.render.height) {}
 
 void CameraSampler::start(const PacketId& id, Starts& starts) const {
-  if (!shutter_.is_instant()) {
-    for (int i = 0; i < packet_size; ++i) {
-      starts.moment[i] = static_cast<double>(random_unit(id, i, Dimension::time, 0));
-    }
-  }
-  if (has_lens()) {
-    for (int i = 0; i < packet_size; ++i) {
-      starts.lens_u[i] = static_cast<double>(random_unit(id, i, Dimension::lens, 0));
-      starts.lens_v[i] = static_cast<double>(random_unit(id, i, Dimension::lens, 1));
-    }
+  if (!spreads()) return;
+  PacketRandom random(id);
+  for (int i = 0; i < packet_size; ++i) {
+    starts.moment[i] = static_cast<double>(random(i, Dimension::time, 0));
+    starts.lens_u[i] = static_cast<double>(random(i, Dimension::lens_u, 0));
+    starts.lens_v[i] = static_cast<double>(random(i, Dimension::lens_v, 0));
   }
 }
 

@@ -37,7 +37,6 @@ inline int bits_for(int samples) {
 enum class Dimension : std::uint32_t {
   opacity,
   time,
-  lens,
   lobe,
   direction_u,
   direction_v,
