@@ -45,7 +45,7 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
   Vec3fLanes arriving;
   scattered_fraction(vertices_.bsdf, lobes, from_light.direction, arriving);
   RayPacket shadows;
-  shadows.coherent = false;  // they begin wherever the paths are
+  shadows.coherent = rays_.coherent;  // those of what the camera sees begin close together
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const Vec3f light_of_lane =
