@@ -174,6 +174,7 @@ std::string canonical_settings(const Scene& scene) {
   add_exposure(list, scene.exposure);
   list.add("render.resolution", fmt::format("{} {}", scene.render.width, scene.render.height));
   list.add("render.samples", scene.render.samples);
+  list.add("render.noise", scene.render.noise);
   list.add("render.integrator", static_cast<int>(scene.render.integrator));
   list.add("render.depth", scene.render.depth);
   list.add("render.beaming", scene.render.beaming ? "true" : "false");
