@@ -46,10 +46,11 @@ void PathWalk::meet() {
       if (group[lane] != 0) set_changing_material(lane, shines);
     }
   });
+  if (shines.any) weigh_emission(shines);
   if (shines.any) add_emission(shines);
   if (!any_active(vertices_.active)) return;
   set_geometry();
-  if (!stage_.lights.empty()) add_lights();
+  if (stage_.has_lights) add_lights();
   for (int lane = 0; lane < packet_size; ++lane) {
     const bool goes_on =
         stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;

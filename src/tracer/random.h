@@ -23,7 +23,15 @@ enum class Dimension : std::uint32_t {
   lobe,
   direction_u,
   direction_v,
-  survival
+  survival,
+  emitter_patch,
+  emitter_patch_digits,
+  emitter_triangle,
+  emitter_triangle_digits,
+  emitter_u,
+  emitter_v,
+  sky_u,
+  sky_v
 };
 
 // Steele and others' SplitMix64 finaliser: every input bit reaches every output bit.
