@@ -34,10 +34,9 @@ void choose_point(const EmitterStage& stage, const Emitters::Chosen& chosen, int
   points.hits.bary_v[lane] = c;
   points.surfaces.object[lane] = patch.object;
   points.surfaces.material[lane] = patch.material;
-  points.place.set(lane,
-                   triangle.corners[0] +
-                       static_cast<double>(b) * (triangle.corners[1] - triangle.corners[0]) +
-                       static_cast<double>(c) * (triangle.corners[2] - triangle.corners[0]));
+  points.place.set(lane, triangle.corners[0] +
+                             static_cast<double>(b) * (triangle.corners[1] - triangle.corners[0]) +
+                             static_cast<double>(c) * (triangle.corners[2] - triangle.corners[0]));
   points.normal.set(lane, triangle.normal);
   points.per_area[lane] = chosen.chance / triangle.area;
   points.active[lane] = triangle.area > 0.0 && chosen.chance > 0.0 ? -1 : 0;

@@ -152,14 +152,4 @@ RESTFRAME_CLONES void PathWalk::add_sampled(IncidentLanes& from, const Lanes<dou
   add_arriving(from, lit, fraction, ShadowKind::as_paths_see);
 }
 
-// What comes from below a surface has come through a body: paths find that light by chance alone.
-void PathWalk::darken_insides(IncidentLanes& from) const {
-  const BsdfLanes& bsdf = vertices_.bsdf;
-  if (!bsdf.layered) return;
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const bool below = glm::dot(bsdf.facet.at(lane), from.direction.at(lane)) <= 0.0F;
-    if (below && bsdf.layers.thin[lane] == 0) from.active[lane] = 0;
-  }
-}
-
 }  // namespace restframe

@@ -37,12 +37,24 @@ void PathWalk::add_lights() {
 RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLanes& lit,
                                           const ViewLobeLanes& lobes) {
   IncidentLanes from_light;
-  incident(light, vertices_.at.event, lit,
-           {stage_.scene.light_speed, stage_.scene.render.beaming}, evaluator_, from_light);
+  incident(light, vertices_.at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},
+           evaluator_, from_light);
   Vec3fLanes fraction;
   Lanes<float> by_chance;
   scattered_fraction(vertices_.bsdf, lobes, from_light.direction, fraction, by_chance);
+  darken_insides(from_light);
   add_arriving(from_light, lit, fraction, ShadowKind::of_lamps);
+}
+
+// What comes from below a surface has come through a body, whose surface refracts it: paths find such
+// light by chance alone.
+void PathWalk::darken_insides(IncidentLanes& from) const {
+  const BsdfLanes& bsdf = vertices_.bsdf;
+  if (!bsdf.layered) return;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    const bool below = glm::dot(bsdf.facet.at(lane), from.direction.at(lane)) <= 0.0F;
+    if (below && bsdf.layers.thin[lane] == 0) from.active[lane] = 0;
+  }
 }
 
 // fraction: that the vertices scatter towards the paths, of light from there.

@@ -16,7 +16,12 @@ constexpr std::uint64_t no_crossing = ~std::uint64_t{0};
 }  // namespace
 
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
-    : stage_{scene, frames, object_places(scene, frames), {}, {}, environments(scene),
+    : stage_{scene,
+             frames,
+             object_places(scene, frames),
+             {},
+             {},
+             environments(scene),
              Emitters(scene, frames)},
       crossed_media_(no_crossing) {
   for (const LightPlace& place : light_places(scene)) {

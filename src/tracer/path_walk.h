@@ -22,7 +22,7 @@ struct PathStage {
   const FrameSet& frames;
   std::vector<ObjectPlace> places;
   std::vector<PlainMaterial> plain;  // a material each
-  std::vector<LightPlace> lights;  // without size: paths never meet them by chance
+  std::vector<LightPlace> lights;    // without size: paths never meet them by chance
   std::vector<Environment> environments;
   Emitters emitters;
   bool has_lights = false;       // something to look for light of at every vertex
