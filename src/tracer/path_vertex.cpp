@@ -40,16 +40,18 @@ void PathWalk::meet() {
   arrive();
   ShineLanes shines;
   vertices_.active.fill(0);
+  vertices_.bsdf.layered = false;
   for_each_group(surfaces_.material, met_, [&](int first, const Lanes<std::int32_t>& group) {
     if (plain(first).always) return set_plain_material(plain(first), group, shines);
     for (int lane = 0; lane < packet_size; ++lane) {
       if (group[lane] != 0) set_changing_material(lane, shines);
     }
   });
+  if (shines.any) weigh_emission(shines);
   if (shines.any) add_emission(shines);
   if (!any_active(vertices_.active)) return;
   set_geometry();
-  if (!stage_.lights.empty()) add_lights();
+  if (stage_.has_lights) add_lights();
   for (int lane = 0; lane < packet_size; ++lane) {
     const bool goes_on =
         stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
@@ -91,9 +93,10 @@ RESTFRAME_CLONES void PathWalk::set_plain_material(const PlainMaterial& material
     paths_.scatterings[i] -= scatters;
     set_in(group, i, shines.radiance, plain.emission);
     set_in(group, i, bsdf.metallic, plain.metallic);
-    set_in(group, i, bsdf.transmission, 0.0F);
     set_in(group, i, bsdf.alpha, plain.alpha);
     set_in(group, i, bsdf.eta, plain.ior);
+    set_in(group, i, bsdf.specular, plain.specular);
+    set_in(group, i, bsdf.specular_color, plain.specular_color);
   }
   const bool colored = surfaces_.colored;
 #pragma GCC ivdep
@@ -123,7 +126,11 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   BsdfLanes& bsdf = vertices_.bsdf;
   bsdf.base.set(lane, base);
   bsdf.metallic[lane] = fraction(evaluator_(material.metallic, clock)) * finish.z;
-  bsdf.transmission[lane] = fraction(evaluator_(material.transmission, clock));
+  bsdf.specular[lane] = 1.0F;
+  bsdf.specular_color.set(lane, Vec3f(1));
+  BsdfLayers layers;
+  layers.transmission = fraction(evaluator_(material.transmission, clock));
+  if (layers.transmission > 0.0F) bsdf.set_layers(lane, layers);
   bsdf.alpha[lane] = roughness * roughness;
   bsdf.eta[lane] = index_ratio(lane, met, clock);
 }

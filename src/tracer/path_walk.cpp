@@ -21,6 +21,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   paths_.radiance.z.fill(0.0F);
   paths_.coverage.fill(0.0F);
   paths_.scatterings.fill(0);
+  chosen_.density.fill(0.0F);
   if (data_ != nullptr) data_->fill({});
 }
 
@@ -78,9 +79,10 @@ void PathWalk::miss() {
 }
 
 void PathWalk::add_environments(int lane) {
-  for (const LightPlace& environment : stage_.environments) {
-    receive(lane, environment_radiance(environment, rays_.origin.at(lane), rays_.k.at(lane),
-                                       stage_.scene.render.beaming, evaluator_));
+  for (const Environment& sky : stage_.environments) {
+    const Vec3f radiance = environment_radiance(sky.place, rays_.origin.at(lane), rays_.k.at(lane),
+                                                stage_.scene.render.beaming, evaluator_);
+    receive(lane, radiance * share_of_sky(sky, lane));
     paths_.coverage[lane] = 1;
   }
 }

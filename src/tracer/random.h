@@ -45,6 +45,14 @@ enum class Dimension : std::uint32_t {
   film_v,
   lens_u,
   lens_v,
+  emitter_patch,
+  emitter_patch_digits,
+  emitter_triangle,
+  emitter_triangle_digits,
+  emitter_u,
+  emitter_v,
+  sky_u,
+  sky_v,
   count
 };
 
@@ -52,7 +60,8 @@ enum class Dimension : std::uint32_t {
 // evenly.
 constexpr bool is_second(Dimension dimension) {
   return dimension == Dimension::direction_v || dimension == Dimension::film_v ||
-         dimension == Dimension::lens_v;
+         dimension == Dimension::lens_v || dimension == Dimension::emitter_v ||
+         dimension == Dimension::sky_v;
 }
 
 // Steele and others' SplitMix64 finaliser: every input bit reaches every output bit.
