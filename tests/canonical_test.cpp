@@ -264,6 +264,7 @@ TEST(Canonical, ChangesWithMaterials) {
       {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
+      {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
   });
 }
 

@@ -108,8 +108,8 @@ void add_material(Listing& list, const Material& m, const std::string& key) {
     if (use.texture >= 0) list.add(fmt::format("{}.{}", key, property.name), text_of(use));
   }
   list.add(key + ".flags",
-           fmt::format("{} {} {} {} {}", static_cast<int>(m.alpha_mode), m.alpha_cutoff,
-                       m.double_sided, m.unlit, m.clearcoat_normal_scale));
+           fmt::format("{} {} {} {} {} {}", static_cast<int>(m.alpha_mode), m.alpha_cutoff,
+                       m.double_sided, m.unlit, m.thin_walled, m.clearcoat_normal_scale));
 }
 
 // What the images show is told by the assets' files.
