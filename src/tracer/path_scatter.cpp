@@ -67,6 +67,7 @@ void PathWalk::follow(int lane, const ScatteredLanes& scattered) {
   weigh(lane, scattered.weight.at(lane));
   if (!survives(lane)) return;
   const bool through = scattered.through[lane] != 0;
+  set_chosen(lane, in_medium(lane) || through ? 0.0F : scattered.density[lane]);
   if (through && surfaces_.back[lane] != 0) {
     media_[lane].leave(surfaces_.object[lane], surfaces_.material[lane]);
   } else if (through) {

@@ -60,11 +60,12 @@ void PathWalk::meet() {
       if (group[lane] != 0) set_changing_material(lane, shines);
     }
   });
+  if (shines.any) weigh_emission(shines);
   if (shines.any) add_emission(shines);
   if (!any_active(vertices_.active)) return;
   set_geometry();
   view_lobes(vertices_.bsdf, vertices_.lobes);
-  if (!stage_.lights.empty()) add_lights();
+  if (stage_.has_lights) add_lights();
   scatter_on();
 }
 
@@ -124,7 +125,10 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   const Material& material = met.material();
   const double clock = clock_[lane];
   Vec3f emitted = emission(met, clock, evaluator_);
-  if (plain(lane).layered) emitted *= below_coat(met, clock, evaluator_);
+  if (plain(lane).layered) {
+    const float cosine = glm::dot(vertices_.at.facet.at(lane), hits_.sight.at(lane));
+    emitted *= below_coat(met, std::abs(cosine), clock, evaluator_);
+  }
   const bool needs_base = material.unlit || scatters;
   const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
   shines.set(lane, material.unlit ? emitted + base : emitted);
