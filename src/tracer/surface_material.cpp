@@ -100,11 +100,10 @@ BsdfLayers layers(const MetSurface& met, double clock, TemporalEvaluator& evalua
   return layers;
 }
 
-float below_coat(const MetSurface& met, double clock, TemporalEvaluator& evaluator) {
+float below_coat(const MetSurface& met, float cosine, double clock, TemporalEvaluator& evaluator) {
   const float coat = coat_of(met, clock, evaluator);
   if (coat <= 0.0F) return 1.0F;
-  return 1.0F -
-         coat_reflection(coat, coat_alpha_of(met, clock, evaluator), met.surfaces.cosine[met.lane]);
+  return 1.0F - coat_reflection(coat, coat_alpha_of(met, clock, evaluator), cosine);
 }
 
 SurfaceData surface_data(const MetSurface& met, const ObjectPlace& place, const RayPacket& rays) {
