@@ -8,6 +8,8 @@
 
 #include "support/gltf_builder.h"
 #include "support/path_scene.h"
+#include "tracer/bsdf.h"
+#include "tracer/bsdf_albedo.h"
 
 namespace restframe {
 namespace {
@@ -139,6 +141,30 @@ TEST(Materials, TexturesMultiplyByTheirChannels) {
                               {"KHR_materials_specular", {{"specularFactor", 0}}}},
                              {texel(51, 255, 255, 255)}),
                Vec3(coat), 2e-3);
+}
+
+// Green: how rough the coat is. Alpha: how much fibres diverge, and sRGB their colour.
+TEST(Materials, RoughnessTexturesMultiplyByTheirChannels) {
+  const json first = {{"index", 0}}, second = {{"index", 1}};
+  const json dull = {{"specularFactor", 0}};
+  const double half = 128.0 / 255;
+  const auto alpha = static_cast<float>(half * half);
+  expect_color(seen_textured({{"KHR_materials_clearcoat",
+                               {{"clearcoatFactor", 1},
+                                {"clearcoatRoughnessFactor", 1},
+                                {"clearcoatRoughnessTexture", first}}},
+                              {"KHR_materials_specular", dull}},
+                             {texel(0, 128, 255, 255)}),
+               Vec3(static_cast<double>(coat_reflection(1, alpha, 1))), 5e-4);
+  const auto fibres = static_cast<double>(fibre_albedo(1, alpha));
+  expect_color(seen_textured({{"KHR_materials_sheen",
+                               {{"sheenColorFactor", {1, 1, 0.5}},
+                                {"sheenColorTexture", first},
+                                {"sheenRoughnessFactor", 1},
+                                {"sheenRoughnessTexture", second}}},
+                              {"KHR_materials_specular", dull}},
+                             {texel(255, 0, 255, 255), texel(0, 0, 0, 128)}),
+               fibres * Vec3(1, 0, 0.5), 0.03 * fibres);
 }
 
 // Whatever lies over what: a white ball in a white furnace is not seen.
