@@ -85,10 +85,7 @@ void warn_of_left_out(const Place& document) {
 // Read, and kept for integrators to come.
 void warn_of_unshaded(const Place& document) {
   constexpr std::array features = {Feature{nullptr, "normalTexture"},
-                                   Feature{"KHR_materials_transmission", "transmissionTexture"},
-                                   Feature{"KHR_materials_specular", nullptr},
-                                   Feature{"KHR_materials_clearcoat", nullptr},
-                                   Feature{"KHR_materials_sheen", nullptr}};
+                                   Feature{"KHR_materials_clearcoat", "clearcoatNormalTexture"}};
   std::string list;
   for (const Feature& feature : features) {
     const std::size_t count = count_having(document, feature);

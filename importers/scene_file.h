@@ -81,7 +81,7 @@ struct MaterialChange {
   std::optional<MaterialReference> object;  // only there
   std::vector<std::pair<TemporalNumber Material::*, Property>> numbers;
   std::vector<std::pair<TemporalColor Material::*, Property>> colors;
-  std::optional<bool> base_color_texture, unlit;
+  std::optional<bool> base_color_texture, thin_walled, unlit;
 };
 
 // [scene], [animation], [exposure], [render], [output]

@@ -161,6 +161,7 @@ TEST(Canonical, ChangesWithSettings) {
       {"width", [](Scene& s) { s.render.width = 10; }},
       {"height", [](Scene& s) { s.render.height = 10; }},
       {"samples", [](Scene& s) { s.render.samples = 17; }},
+      {"noise", [](Scene& s) { s.render.noise = 0.01; }},
       {"integrator", [](Scene& s) { s.render.integrator = IntegratorKind::path; }},
       {"depth", [](Scene& s) { s.render.depth = 3; }},
       {"beaming", [](Scene& s) { s.render.beaming = true; }},
@@ -263,6 +264,7 @@ TEST(Canonical, ChangesWithMaterials) {
       {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
+      {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
   });
 }
 
@@ -358,6 +360,8 @@ TEST(Canonical, StaysWithWhatChangesNoPixel) {
   const std::map<std::string, Change> changes = {
       {"path", [](Scene& s) { s.output.path = "elsewhere/#.exr"; }},
       {"preview", [](Scene& s) { s.output.preview = false; }},
+      {"the preview's exposure", [](Scene& s) { s.output.exposure = -3; }},
+      {"the preview's view", [](Scene& s) { s.output.view = ViewTransform::filmic; }},
       {"pictures", [](Scene& s) { s.animation.pictures = 100; }},
       {"sources",
        [](Scene& s) {

@@ -94,6 +94,23 @@ TEST(GltfMaterial, ReadsGlass) {
   EXPECT_EQ(material.attenuation_color.value, Vec3f(0.5F, 1, 0.25F));
 }
 
+// As the extensions say: a volume of some thickness makes a body of it.
+TEST(GltfMaterial, IsASheetWithoutThickness) {
+  const auto read = [](json extensions) {
+    const json source = {{"extensions", std::move(extensions)}};
+    return load(with_material(source)).materials.at(0);
+  };
+  const json glass = {{"transmissionFactor", 1}};
+  EXPECT_FALSE(read(json::object()).thin_walled);
+  EXPECT_TRUE(read({{"KHR_materials_transmission", glass}}).thin_walled);
+  EXPECT_TRUE(read({{"KHR_materials_transmission", glass},
+                    {"KHR_materials_volume", {{"attenuationDistance", 1}}}})
+                  .thin_walled);
+  EXPECT_FALSE(read({{"KHR_materials_transmission", glass},
+                     {"KHR_materials_volume", {{"thicknessFactor", 0.5}}}})
+                   .thin_walled);
+}
+
 TEST(GltfMaterial, EmptyGlassHasDefaults) {
   const Material material = load(with_material({{"extensions",
                                                  {{"KHR_materials_ior", json::object()},
@@ -185,7 +202,7 @@ TEST(GltfMaterial, NamesMapsThatPicturesDoNotShow) {
   material["occlusionTexture"] = {{"index", 0}, {"strength", 0.5}};
   material["extensions"] = {
       {"KHR_materials_transmission", {{"transmissionTexture", {{"index", 0}}}}},
-      {"KHR_materials_sheen", json::object()},
+      {"KHR_materials_sheen", {{"sheenColorTexture", {{"index", 0}}}}},
       {"KHR_materials_volume", {{"thicknessTexture", {{"index", 0}}}}}};
   const TemporaryFolder folder;
   Warnings warnings;
@@ -199,8 +216,7 @@ TEST(GltfMaterial, NamesMapsThatPicturesDoNotShow) {
   EXPECT_EQ(warnings[1], file + ":/materials: thicknessTexture of 1 materials is left out");
   EXPECT_EQ(warnings[2], file +
                              ":/materials: read, but nothing is shaded with it yet: normalTexture "
-                             "of 1 materials, transmissionTexture of 1 materials, "
-                             "KHR_materials_sheen of 1 materials");
+                             "of 1 materials");
 }
 
 TEST(GltfMaterial, AnIndexOfRefractionOfZeroReflectsAll) {

@@ -135,6 +135,9 @@ float scattering_density(const Bsdf& bsdf, const Vec3f& direction);
 void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
                         const Vec3fLanes& direction, Vec3fLanes& fraction, Lanes<float>& density);
 
+// The fraction that a clear coat of this strength reflects in all, away from what is below it.
+float coat_reflection(float coat, float coat_alpha, float cos_view);
+
 // Below, a surface is taken for perfectly smooth.
 inline constexpr float smallest_alpha = 1e-3F;
 

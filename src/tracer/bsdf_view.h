@@ -15,17 +15,16 @@ inline ViewLobe view_weights(const Bsdf& b, float opaque, const FacetAlbedo& alb
   // 2019): white ones lose nothing.
   const float again = (1.0F - albedo.all) / albedo.all;
   const Vec3f straight = straight_reflectance(b);
+  const Vec3f grazing = glm::max(Vec3f(grazing_reflectance(b)) - straight, Vec3f(0));
   const float of_dielectric = (1.0F - b.metallic) * opaque;
   const Vec3f metal = b.metallic * (Vec3f(1) + again * b.base);
   const Vec3f gloss = Vec3f(1) + again * straight;
-  const Vec3f reflected =
-      gloss * (albedo.all * straight + albedo.grazing * (Vec3f(b.specular) - straight));
+  const Vec3f reflected = gloss * (albedo.all * straight + albedo.grazing * grazing);
   const float below = of_dielectric * (1.0F - std::min(1.0F, largest(reflected)));
   ViewLobe lobe;
   lobe.diffuse = b.base * (below / pi);
   lobe.straight = metal * b.base + of_dielectric * gloss * straight;
-  lobe.grazing =
-      metal * (Vec3f(1) - b.base) + of_dielectric * gloss * (Vec3f(b.specular) - straight);
+  lobe.grazing = metal * (Vec3f(1) - b.base) + of_dielectric * gloss * grazing;
   lobe.cos_view = cos_view;
   lobe.lambda_view = smith_lambda(cos_view, b.alpha);
   lobe.diffuses = average(b.base) * below;

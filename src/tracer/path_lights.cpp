@@ -63,7 +63,7 @@ RESTFRAME_CLONES void PathWalk::add_arriving(const IncidentLanes& from_light, co
   const HitEvents& at = vertices_.at;
   Vec3fLanes arriving;
   RayPacket shadows;
-  shadows.coherent = false;  // they begin wherever the paths are
+  shadows.coherent = rays_.coherent;  // those of what the camera sees begin close together
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const Vec3f light_of_lane =

@@ -36,7 +36,7 @@ Medium PathWalk::medium_of(int lane, const MetSurface& met, double clock) {
 float PathWalk::index_ratio(int lane, const MetSurface& met, double clock) {
   const float own = std::max(1.0F, evaluator_(met.material().ior, clock));
   const MediumStack& media = media_[lane];
-  const bool leaves = surfaces_.back[lane] != 0 && can_transmit(met.material());
+  const bool leaves = surfaces_.back[lane] != 0 && refracts(met.material());
   if (!leaves) return own / media.ior();
   MediumStack outside = media;
   outside.leave(surfaces_.object[lane], surfaces_.material[lane]);

@@ -14,24 +14,37 @@ float fraction(float value) {
   return std::clamp(value, 0.0F, 1.0F);
 }
 
+bool is_layered(const Material& m) {
+  const auto is_there = [](const TemporalNumber& n) {
+    return n.value > 0.0F || n.function != no_function;
+  };
+  return can_transmit(m) || is_there(m.clearcoat) || m.sheen_color.value != Vec3f(0) ||
+         m.sheen_color.function != no_function;
+}
+
 }  // namespace
 
 PlainMaterial plain_material(const Material& m) {
   const auto constant = [](const auto& property) { return property.function == no_function; };
   const bool changes = !(constant(m.base_color) && constant(m.metallic) && constant(m.roughness) &&
-                         constant(m.emission) && constant(m.emission_strength) && constant(m.ior));
+                         constant(m.emission) && constant(m.emission_strength) && constant(m.ior) &&
+                         constant(m.specular) && constant(m.specular_color));
   const bool textured = m.base_color_texture.texture >= 0 ||
                         m.metallic_roughness_texture.texture >= 0 ||
-                        m.emission_texture.texture >= 0;
+                        m.emission_texture.texture >= 0 || m.specular_texture.texture >= 0 ||
+                        m.specular_color_texture.texture >= 0;
   PlainMaterial plain;
+  plain.layered = is_layered(m);
   plain.always =
-      !changes && !textured && !m.unlit && !can_transmit(m) && m.alpha_mode == AlphaMode::opaque;
+      !changes && !textured && !m.unlit && !plain.layered && m.alpha_mode == AlphaMode::opaque;
   plain.double_sided = m.double_sided;
   plain.base = m.base_color.value;
   plain.emission = m.emission.value * m.emission_strength.value;
   plain.metallic = fraction(m.metallic.value);
   plain.alpha = fraction(m.roughness.value) * fraction(m.roughness.value);
   plain.ior = std::max(1.0F, m.ior.value);
+  plain.specular = fraction(m.specular.value);
+  plain.specular_color = glm::max(m.specular_color.value, Vec3f(0));
   return plain;
 }
 
@@ -114,25 +127,18 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   const MetSurface met = met_surface(lane);
   const Material& material = met.material();
   const double clock = clock_[lane];
-  const Vec3f emitted = emission(met, clock, evaluator_);
+  Vec3f emitted = emission(met, clock, evaluator_);
+  if (plain(lane).layered) emitted *= below_coat(met, clock, evaluator_);
   const bool needs_base = material.unlit || scatters;
   const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
   shines.set(lane, material.unlit ? emitted + base : emitted);
   if (material.unlit || !scatters) return;
   ++paths_.scatterings[lane];
   vertices_.active[lane] = -1;
-  const Vec4f finish = texel(met, material.metallic_roughness_texture);
-  const float roughness = fraction(evaluator_(material.roughness, clock)) * finish.y;
-  BsdfLanes& bsdf = vertices_.bsdf;
-  bsdf.base.set(lane, base);
-  bsdf.metallic[lane] = fraction(evaluator_(material.metallic, clock)) * finish.z;
-  bsdf.specular[lane] = 1.0F;
-  bsdf.specular_color.set(lane, Vec3f(1));
-  BsdfLayers layers;
-  layers.transmission = fraction(evaluator_(material.transmission, clock));
-  if (layers.transmission > 0.0F) bsdf.set_layers(lane, layers);
-  bsdf.alpha[lane] = roughness * roughness;
-  bsdf.eta[lane] = index_ratio(lane, met, clock);
+  vertices_.bsdf.base.set(lane, base);
+  set_finish(met, clock, evaluator_, vertices_.bsdf);
+  vertices_.bsdf.eta[lane] = index_ratio(lane, met, clock);
+  if (plain(lane).layered) vertices_.bsdf.set_layers(lane, layers(met, clock, evaluator_));
 }
 
 void PathWalk::add_emission(const ShineLanes& shines) {

@@ -11,7 +11,7 @@ constexpr std::uint32_t most_rounds = 1000;
 
 PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator& evaluator,
                    RayPacket& rays, SurfaceDataLanes* data)
-    : stage_(stage), id_(id), evaluator_(evaluator), rays_(rays), data_(data) {
+    : stage_(stage), random_(id), evaluator_(evaluator), rays_(rays), data_(data) {
   in_medium_.active.fill(0);
   paths_.throughput.x.fill(1.0F);
   paths_.throughput.y.fill(1.0F);

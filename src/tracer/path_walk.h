@@ -151,12 +151,10 @@ class PathWalk {
   }
   void depart(int lane, const Vec3f& direction);
 
-  float random(int lane, Dimension dimension) const {
-    return random_unit(id_, lane, dimension, round_);
-  }
+  float random(int lane, Dimension dimension) { return random_(lane, dimension, round_); }
 
   const PathStage& stage_;
-  const PacketId& id_;
+  PacketRandom random_;
   TemporalEvaluator& evaluator_;
   RayPacket& rays_;            // of the lanes outside of media
   MediumRayPacket in_medium_;  // of the others
