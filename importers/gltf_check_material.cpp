@@ -84,8 +84,7 @@ void warn_of_left_out(const Place& document) {
 
 // Read, and kept for integrators to come.
 void warn_of_unshaded(const Place& document) {
-  constexpr std::array features = {Feature{nullptr, "normalTexture"},
-                                   Feature{"KHR_materials_transmission", "transmissionTexture"},
+  constexpr std::array features = {Feature{"KHR_materials_transmission", "transmissionTexture"},
                                    Feature{"KHR_materials_specular", nullptr},
                                    Feature{"KHR_materials_clearcoat", nullptr},
                                    Feature{"KHR_materials_sheen", nullptr}};

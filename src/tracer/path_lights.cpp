@@ -99,7 +99,8 @@ void PathWalk::dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>&
       stage_.frames.refine(hits, lane);
       const double s_behind = stage_.frames.frame(hits.frame[lane]).s_behind(hits, lane);
       if (s_behind >= s_max[lane]) continue;
-      const MetSurface met{stage_.scene, stage_.frames, surfaces, hits, lane};
+      const MetSurface met{stage_.scene, stage_.frames,  surfaces,        hits,
+                           lane,         &stage_.tables, cone_width(lane)};
       const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces.object[lane])];
       const Vec4f texture = texel(met, met.material().base_color_texture);
       left[lane] *= 1.0F - opacity(met, texture.w, clock_at(place, hits, lane), evaluator_);

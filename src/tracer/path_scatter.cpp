@@ -7,7 +7,8 @@
 namespace restframe {
 namespace {
 
-constexpr int sure_scatterings = 3;  // before paths may end by chance
+constexpr int sure_scatterings = 3;     // before paths may end by chance
+constexpr float widest_spread = 0.25F;  // radians, of a path that a matt surface scatters
 
 float largest(const Vec3f& v) {
   return std::max({v.x, v.y, v.z});
@@ -70,8 +71,24 @@ bool PathWalk::survives(int lane) {
   return random(lane, Dimension::survival) < chance;
 }
 
+// The cone goes on as wide as it is here. Light that keeps to the mirror's image, or to a clear
+// glass, spreads on as before; where a rough surface sends it, it spreads by as much as that is wide.
+// That angle is one of the rest frame, where lengths are omega times s.
+void PathWalk::widen_cone(int lane, const Vec3f& direction) {
+  const Bsdf bsdf = vertices_.bsdf.at(lane);
+  const Vec3f image = 2.0F * glm::dot(bsdf.view, bsdf.normal) * bsdf.normal - bsdf.view;
+  const bool through = glm::dot(direction, bsdf.facet) < 0.0F;
+  const bool glossy = through || glm::dot(image - direction, image - direction) <
+                                     std::max(1e-6F, 16.0F * bsdf.alpha * bsdf.alpha);
+  const float spread = bsdf.alpha < smallest_alpha ? 0.0F : bsdf.alpha;
+  RayCone& cone = paths_.cone[lane];
+  cone.width = cone.at(hits_.s[lane]);
+  cone.slope += widest_spread * (glossy ? spread : 1.0F) * static_cast<float>(paths_.omega[lane]);
+}
+
 // The frequency stays in the scatterer's rest frame.
 void PathWalk::depart(int lane, const Vec3f& direction) {
+  if (stage_.tables.has_textures()) widen_cone(lane, direction);
   const Event<in::World> from = vertices_.at.event.at(lane);
   const double omega = paths_.omega[lane];
   const Vec3 x = omega * glm::normalize(Vec3(direction));

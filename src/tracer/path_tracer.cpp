@@ -22,7 +22,17 @@ bool emits(const Material& m) {
 }  // namespace
 
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
-    : stage_{scene, frames, object_places(scene, frames), {}, {}, {}, false, false, false, false},
+    : stage_{scene,
+             frames,
+             SurfaceTables(scene),
+             object_places(scene, frames),
+             {},
+             {},
+             {},
+             false,
+             false,
+             false,
+             false},
       crossed_media_(no_crossing) {
   for (const LightPlace& place : light_places(scene)) {
     const bool surrounds = place.light->kind == LightKind::environment;

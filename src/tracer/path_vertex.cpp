@@ -5,6 +5,7 @@
 #include "frames/lane_groups.h"
 #include "physics/clones.h"
 #include "tracer/path_walk.h"
+#include "tracer/shading_normal.h"
 
 namespace restframe {
 namespace {
@@ -22,7 +23,7 @@ PlainMaterial plain_material(const Material& m) {
                          constant(m.emission) && constant(m.emission_strength) && constant(m.ior));
   const bool textured = m.base_color_texture.texture >= 0 ||
                         m.metallic_roughness_texture.texture >= 0 ||
-                        m.emission_texture.texture >= 0;
+                        m.emission_texture.texture >= 0 || has_normal_map(m);
   PlainMaterial plain;
   plain.always =
       !changes && !textured && !m.unlit && !can_transmit(m) && m.alpha_mode == AlphaMode::opaque;
@@ -147,6 +148,11 @@ RESTFRAME_CLONES void PathWalk::set_geometry() {
     bsdf.normal.set(i, surfaces_.normal.at(i));
     bsdf.facet.set(i, vertices_.at.facet.at(i));
     bsdf.base.set(i, glm::max(bsdf.base.at(i), Vec3f(0)));
+  }
+  for (int lane = 0; tilts_ && lane < packet_size; ++lane) {
+    if (vertices_.active[lane] == 0 || !has_normal_map(met_surface(lane).material())) continue;
+    bsdf.normal.set(
+        lane, reflecting_normal(bsdf.view.at(lane), bsdf.facet.at(lane), bsdf.normal.at(lane)));
   }
 }
 

@@ -1,13 +1,16 @@
 #include "tracer/surface_material.h"
 
+#include "tracer/footprint.h"
+
 namespace restframe {
 
 Vec4f texel(const MetSurface& met, const TextureUse& use) {
   if (use.texture < 0) return Vec4f(1);
   const Texture& texture = met.scene.textures[static_cast<std::size_t>(use.texture)];
   const Image& image = met.scene.images[static_cast<std::size_t>(texture.image)];
-  const Vec2f uv = uv_at(met.scene, met.frames, met.hits, met.lane, use.uv_set);
-  return sample_texture(texture, image, use.transform(uv));
+  const Vec2f uv = use.transform(uv_at(met.scene, met.frames, met.hits, met.lane, use.uv_set));
+  if (met.tables == nullptr || !(met.width > 0)) return sample_texture(texture, image, uv);
+  return sample_texture(texture, image, met.tables->mips(use.texture), uv, footprint(met, use));
 }
 
 float opacity(const MetSurface& met, float texture_alpha, double clock,
