@@ -29,13 +29,13 @@ Vec3 vector_of(const std::array<std::uint8_t, 3>& rgb, double scale = 1) {
   return glm::normalize(Vec3(scale * v.x, scale * v.y, v.z));
 }
 
-Image image_of(const std::array<std::uint8_t, 3>& rgb) {
+Image pixel_of(const std::array<std::uint8_t, 3>& rgb) {
   return image_of(1, 1, {rgb[0], rgb[1], rgb[2], 255});
 }
 
 // The square of support/textured_square.h, its normal map one colour.
 Scene bumped_square(const std::array<std::uint8_t, 3>& rgb = color) {
-  Scene scene = scene_of_square(textured_square(1), image_of(rgb));
+  Scene scene = scene_of_square(textured_square(1), pixel_of(rgb));
   scene.textures[0].srgb = false;
   scene.materials[0].normal_texture.texture = 0;
   scene.materials[0].base_color.value = {0.8F, 0.5F, 0.25F};
@@ -183,9 +183,9 @@ TEST(NormalMap, ThatLooksAwayIsMirrored) {
 TEST(NormalMap, LeavesNoBlackInMirrors) {
   std::vector<std::uint8_t> rgba;
   for (int i = 0; i < 64; ++i) {
-    rgba.insert(rgba.end(),
-                {static_cast<std::uint8_t>(i * 97 % 256), static_cast<std::uint8_t>(i * 57 % 256),
-                 static_cast<std::uint8_t>(128 + i * 31 % 128), 255});
+    add_pixel(rgba,
+              {static_cast<std::uint8_t>(i * 97 % 256), static_cast<std::uint8_t>(i * 57 % 256),
+               static_cast<std::uint8_t>(128 + i * 31 % 128), 255});
   }
   Scene scene = scene_of_square(textured_square(1), image_of(8, 8, rgba));
   scene.textures[0].srgb = false;
@@ -224,7 +224,7 @@ TEST(NormalMap, ReflectingNormalsAreTheNearestThatServe) {
 // The clearcoat has the mesh's own normal, or that of its own map.
 TEST(NormalMap, ClearcoatsHaveNormalsOfTheirOwn) {
   Scene scene = bumped_square();
-  scene.images.push_back(image_of(std::array<std::uint8_t, 3>{40, 128, 200}));
+  scene.images.push_back(pixel_of({40, 128, 200}));
   scene.textures.push_back(scene.textures[0]);
   scene.textures[1].image = 1;
   Lanes<double> film;

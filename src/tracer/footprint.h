@@ -12,10 +12,10 @@
 
 namespace restframe {
 
-// The cone around a ray, light-seconds: width + slope * s. Without a width, textures are taken as
-// they are at a point.
+// The cone around a ray, light-seconds: width + slope * s. Where that is 0, textures are taken as they
+// are at a point. Without initial values: packets of it are made even where nobody asks for them.
 struct RayCone {
-  float width = 0, slope = 0;
+  float width, slope;
 
   float at(double s) const { return width + slope * static_cast<float>(s); }
 };

@@ -2,7 +2,7 @@
 
 // A square with a texture, for tests that look at it by rays or in pictures.
 
-#include <string>
+#include <array>
 #include <vector>
 
 #include "frames/frame_set.h"
@@ -21,12 +21,16 @@ inline Image image_of(int width, int height, std::vector<std::uint8_t> rgba) {
   return image;
 }
 
+inline void add_pixel(std::vector<std::uint8_t>& rgba, const std::array<std::uint8_t, 4>& pixel) {
+  for (const std::uint8_t channel : pixel) rgba.push_back(channel);
+}
+
 // Black and white pixels.
 inline Image checkerboard(int side) {
   std::vector<std::uint8_t> rgba;
   for (int i = 0; i < side * side; ++i) {
     const std::uint8_t grey = (i % side + i / side) % 2 == 0 ? 255 : 0;
-    rgba.insert(rgba.end(), {grey, grey, grey, 255});
+    add_pixel(rgba, {grey, grey, grey, 255});
   }
   return image_of(side, side, std::move(rgba));
 }
