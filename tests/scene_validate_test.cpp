@@ -60,6 +60,31 @@ TEST(Validate, AnEmptySceneHasNoObject) {
   EXPECT_THAT(validate(Scene()), ElementsAre(HasSubstr("no object")));
 }
 
+// Where how sure pixels are can not be told.
+TEST(Validate, Noise) {
+  const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
+    EXPECT_THAT(faults(spoil), ElementsAre(HasSubstr(words)));
+  };
+  const auto measured = [](Scene& s) { s.output.layers.push_back(Layer::variance); };
+  one([](Scene& s) { s.render.noise = 0.01, s.render.samples = 3; }, "at least 4, it is 3");
+  one([&](Scene& s) { measured(s), s.render.samples = 1; }, "\"variance\" needs samples");
+  const auto combined = [](Scene& s, Combine combine) {
+    s.exposure.count = 2;
+    s.exposure.combine = combine;
+  };
+  one([&](Scene& s) { s.render.noise = 0.01, combined(s, Combine::max); }, "\"max\"");
+  one([&](Scene& s) { measured(s), combined(s, Combine::max); }, "\"max\"");
+  one([](Scene& s) { s.output.layers = {Layer::samples}; }, "tell of the beauty");
+  EXPECT_THAT(faults([&](Scene& s) {
+                measured(s), combined(s, Combine::sum);
+                s.render.noise = 0.01;
+                s.render.samples = 4;
+                s.output.layers.push_back(Layer::samples);
+              }),
+              IsEmpty());
+  EXPECT_THAT(faults([&](Scene& s) { combined(s, Combine::max); }), IsEmpty());
+}
+
 TEST(Validate, Settings) {
   const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
     EXPECT_THAT(faults(spoil), ElementsAre(HasSubstr(words)));
@@ -74,6 +99,10 @@ TEST(Validate, Settings) {
   one([](Scene& s) { s.render.samples = 0; }, "samples is 0, must be from 1 to 65536");
   one([](Scene& s) { s.render.depth = 0; }, "depth is 0, must be from 1 to 64");
   one([](Scene& s) { s.render.depth = 65; }, "depth is 65");
+  one([](Scene& s) { s.render.noise = -0.1; }, "noise is -0.1, must be from 0 to 1");
+  one([](Scene& s) { s.render.noise = std::nan(""); }, "noise is");
+  one([](Scene& s) { s.output.exposure = 65; }, "exposure is 65, must be from -64 to 64");
+  one([](Scene& s) { s.output.exposure = std::nan(""); }, "exposure is nan");
   one([](Scene& s) { s.output.path = "a.png"; }, ".exr");
   one([](Scene& s) { s.output.path = "a.exr", s.animation.pictures = 2; }, "run of #");
   one([](Scene& s) { s.output.path = "#/#.exr"; }, "one run of #");
@@ -335,6 +364,28 @@ TEST(Validate, Lights) {
   one([](Light& l) { l.intensity.value = -1; }, "intensity is -1, must be at least 0");
   EXPECT_THAT(faults([](Scene& s) { s.lights.resize(2); }),
               ElementsAre(HasSubstr("two lights are light \"\"")));
+}
+
+TEST(Validate, SkyMaps) {
+  const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) {
+                  s.sky_maps = {{"sky", 2, 1, {Vec3f(1), Vec3f(2)}}};
+                  s.lights.emplace_back().kind = LightKind::environment;
+                  s.lights[0].sky_map = 0;
+                  spoil(s);
+                }),
+                ElementsAre(HasSubstr(words)));
+  };
+  one([](Scene& s) { s.lights[0].sky_map = 1; }, "refers to sky map 1 of 1");
+  one([](Scene& s) { s.lights[0].sky_map = -2; }, "refers to sky map -2 of 1");
+  one([](Scene& s) { s.lights[0].kind = LightKind::sun; }, "goes with environments only");
+  one([](Scene& s) { s.lights[0].rest_from_map[0] = {2, 0, 0}; }, "turned by a rotation");
+  one([](Scene& s) { s.lights[0].rest_from_map[0] = {-1, 0, 0}; }, "turned by a rotation");
+  one([](Scene& s) { s.lights[0].rest_from_map[0].x = std::nan(""); }, "turned by a rotation");
+  one([](Scene& s) { s.sky_maps[0].pixels.pop_back(); }, "has 1 pixels for 2 x 1");
+  one([](Scene& s) { s.sky_maps[0].height = -1; }, "has 2 pixels for 2 x -1");
+  one([](Scene& s) { s.sky_maps[0].pixels[1].y = -1; }, "pixel [2, -1, 2]");
+  one([](Scene& s) { s.sky_maps[0].pixels[1].y = std::nanf(""); }, "at least 0 and finite");
 }
 
 TEST(Validate, ListsEveryFault) {

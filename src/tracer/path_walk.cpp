@@ -12,7 +12,7 @@ constexpr std::uint32_t most_rounds = 1000;
 
 PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator& evaluator,
                    RayPacket& rays, SurfaceDataLanes* data)
-    : stage_(stage), id_(id), evaluator_(evaluator), rays_(rays), data_(data) {
+    : stage_(stage), random_(id), evaluator_(evaluator), rays_(rays), data_(data) {
   in_medium_.active.fill(0);
   paths_.throughput.x.fill(1.0F);
   paths_.throughput.y.fill(1.0F);
@@ -25,6 +25,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   for (int i = 0; stage_.tables.has_textures() && i < packet_size; ++i) {
     paths_.cone[i] = {0.0F, rays.has_spread ? rays.spread[i] : 0.0F};
   }
+  chosen_.density.fill(0.0F);
   if (data_ != nullptr) data_->fill({});
 }
 
@@ -82,9 +83,10 @@ void PathWalk::miss() {
 }
 
 void PathWalk::add_environments(int lane) {
-  for (const LightPlace& environment : stage_.environments) {
-    receive(lane, environment_radiance(environment, rays_.origin.at(lane), rays_.k.at(lane),
-                                       stage_.scene.render.beaming, evaluator_));
+  for (const Environment& sky : stage_.environments) {
+    const Vec3f radiance = environment_radiance(sky.place, rays_.origin.at(lane), rays_.k.at(lane),
+                                                stage_.scene.render.beaming, evaluator_);
+    receive(lane, radiance * share_of_sky(sky, lane));
     paths_.coverage[lane] = 1;
   }
 }

@@ -35,7 +35,7 @@ Preview::Plain Preview::plain(const Material& m) {
       m.base_color_texture.texture >= 0 || m.emission_texture.texture >= 0 || has_normal_map(m);
   Plain result;
   result.always = !changes && !textured && m.alpha_mode == AlphaMode::opaque;
-  result.double_sided = m.double_sided || can_transmit(m);
+  result.double_sided = m.double_sided || refracts(m);
   const Vec4f base(m.base_color.value, 0.0F);
   result.lit = m.unlit ? Vec4f(0) : base;
   result.unlit = m.unlit ? base : Vec4f(0);

@@ -3,6 +3,7 @@
 // What a material is at one hit: its functions at the hit's own time, its textures at its place.
 
 #include "scene/temporal_evaluator.h"
+#include "tracer/bsdf.h"
 #include "tracer/random.h"
 #include "tracer/sample.h"
 #include "tracer/surface.h"
@@ -41,6 +42,15 @@ float coverage(const MetSurface& met, float texture_alpha, double clock,
 Vec3f base_color(const MetSurface& met, const Vec4f& texture, double clock,
                  TemporalEvaluator& evaluator);
 Vec3f emission(const MetSurface& met, double clock, TemporalEvaluator& evaluator);
+
+// The microfacets' roughness, what they are made of, and how a dielectric's reflect.
+void set_finish(const MetSurface& met, double clock, TemporalEvaluator& evaluator, BsdfLanes& bsdf);
+
+// What lies over the surface, and how it lets light through.
+BsdfLayers layers(const MetSurface& met, double clock, TemporalEvaluator& evaluator);
+
+// The fraction of the surface's own light that a clear coat lets out to the ray.
+float below_coat(const MetSurface& met, double clock, TemporalEvaluator& evaluator);
 
 // What data layers say of a refined hit on a ray of the camera.
 SurfaceData surface_data(const MetSurface& met, const ObjectPlace& place, const RayPacket& rays);

@@ -61,4 +61,4 @@ def read_exr(path):
             letter, size = SIZES[kind]
             rows[name][y] = struct.unpack_from(f"<{width}{letter}", data, offset)
             offset += size * width
-    return width, height, rows, strings_of(attributes["objectNames"])
+    return width, height, rows, strings_of(attributes.get("objectNames", b""))
