@@ -71,7 +71,8 @@ void PathWalk::set_radiance(const EmitterPoints& points, const PointsSeen& seen,
   const bool beaming = stage_.scene.render.beaming;
   for (int lane = 0; lane < packet_size; ++lane) {
     if (from.active[lane] == 0) continue;
-    const MetSurface met{stage_.scene, stage_.frames, points.surfaces, points.hits, lane};
+    const MetSurface met{stage_.scene, stage_.frames, points.surfaces,
+                         points.hits,  lane,          &stage_.tables};
     const Vec3f radiance = shine(met, seen.rest_t[lane]);
     const float factor =
         emitter_factor(beaming, seen.doppler[lane]) / static_cast<float>(seen.density[lane]);
