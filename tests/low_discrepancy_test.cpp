@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -71,6 +72,40 @@ TEST(LowDiscrepancy, EveryAlignedRunOfAPixelsSamplesIsANet) {
   }
 }
 
+// Whether each box of every shape 2^-i by 2^-j by 2^(i + j - k + 1), of which 2^(k - 1) fill the cube,
+// holds two of the 2^k points of a pixel's directions and lobes.
+bool is_cube_net(PacketId id, int lane, std::uint32_t index, int k) {
+  std::vector<std::array<double, 3>> points;
+  for (id.sample = 0; id.sample < (1U << k); ++id.sample) {
+    points.push_back({static_cast<double>(random_unit(id, lane, Dimension::direction_u, index)),
+                      static_cast<double>(random_unit(id, lane, Dimension::direction_v, index)),
+                      static_cast<double>(random_unit(id, lane, Dimension::lobe, index))});
+  }
+  for (int i = 0; i < k; ++i) {
+    for (int j = 0; i + j < k; ++j) {
+      std::vector<int> held(points.size() / 2);
+      for (const auto& p : points) {
+        const auto x = static_cast<std::size_t>(std::ldexp(p[0], i));
+        const auto y = static_cast<std::size_t>(std::ldexp(p[1], j));
+        const auto z = static_cast<std::size_t>(std::ldexp(p[2], k - 1 - i - j));
+        ++held[(((x << j) | y) << (k - 1 - i - j)) | z];
+      }
+      if (std::any_of(held.begin(), held.end(), [](int n) { return n != 2; })) return false;
+    }
+  }
+  return true;
+}
+
+TEST(LowDiscrepancy, DirectionsAndLobesTogetherAreANet) {
+  for (const std::uint32_t bits : {12U, 32U}) {
+    for (std::uint32_t index = 0; index < 4; ++index) {
+      for (int k = 1; k <= 12; ++k) {
+        EXPECT_TRUE(is_cube_net(packet(bits, 40 + index), 3, index, k)) << bits << ' ' << k;
+      }
+    }
+  }
+}
+
 // A test that no set of points fails tells nothing.
 TEST(LowDiscrepancy, OtherPointsAreNoNet) {
   std::vector<Point> points = run_of(packet(8), 0, 0, 64, 0);
@@ -80,8 +115,7 @@ TEST(LowDiscrepancy, OtherPointsAreNoNet) {
 
 TEST(LowDiscrepancy, NumbersWithoutAPairAreStratified) {
   PacketId id = packet(12);
-  for (const Dimension dimension :
-       {Dimension::lobe, Dimension::opacity, Dimension::survival, Dimension::time}) {
+  for (const Dimension dimension : {Dimension::opacity, Dimension::survival, Dimension::time}) {
     for (std::uint32_t count = 1; count <= 4096; count *= 4) {
       std::vector<int> held(count);
       for (id.sample = 0; id.sample < count; ++id.sample) {
@@ -187,8 +221,8 @@ double chi_squared_of(Dimension a, std::uint32_t index_a, Dimension b, std::uint
 TEST(LowDiscrepancy, UsesAreIndependentOfEachOther) {
   // 49 degrees of freedom: beyond 100 with a probability of 2e-5.
   EXPECT_LT(chi_squared_of(Dimension::lobe, 0, Dimension::survival, 0), 100);
-  EXPECT_LT(chi_squared_of(Dimension::lobe, 0, Dimension::direction_u, 0), 100);
-  EXPECT_LT(chi_squared_of(Dimension::lobe, 1, Dimension::direction_v, 1), 100);
+  EXPECT_LT(chi_squared_of(Dimension::opacity, 0, Dimension::direction_u, 0), 100);
+  EXPECT_LT(chi_squared_of(Dimension::survival, 1, Dimension::direction_v, 1), 100);
   EXPECT_LT(chi_squared_of(Dimension::direction_u, 0, Dimension::direction_u, 1), 100);
   EXPECT_LT(chi_squared_of(Dimension::direction_v, 0, Dimension::direction_v, 1), 100);
   EXPECT_LT(chi_squared_of(Dimension::direction_u, 3, Dimension::direction_v, 7), 100);
@@ -218,6 +252,31 @@ TEST(LowDiscrepancy, ErrorsFallFasterThanWithIndependentNumbers) {
   EXPECT_NEAR(edge_error(64, false) * 64, 0.2500, 0.06);  // p (1 - p), p = 0.5027
   EXPECT_LT(edge_error(64, true), 0.15 * edge_error(64, false));
   EXPECT_LT(edge_error(256, true), 0.2 * edge_error(64, true));
+}
+
+// A choice by chance between two things to integrate: the lobe is no stranger to the direction.
+double choice_error(std::uint32_t samples, bool sequence) {
+  double sum = 0;
+  constexpr std::uint32_t pixels = 500;
+  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+    PacketId id = packet(8, pixel);
+    double mean = 0;
+    for (std::uint32_t s = 0; s < samples; ++s) {
+      if (!sequence) id.replicate = s;
+      const Point p = point_of(id, 0, sequence ? s : 0);
+      const bool edge = random_unit(id, 0, Dimension::lobe, 0) < 0.3F;
+      const double smooth = 4 * p.u * p.v;
+      mean += (edge ? (std::hypot(p.u, p.v) < 0.8 ? 1.0 : 0.0) : smooth) / samples;
+    }
+    const double error = mean - (0.3 * 0.16 * std::acos(-1.0) + 0.7);
+    sum += error * error / pixels;
+  }
+  return sum;
+}
+
+TEST(LowDiscrepancy, SoDoThoseOfAChoiceBetweenLobes) {
+  EXPECT_LT(choice_error(64, true), 0.15 * choice_error(64, false));
+  EXPECT_LT(choice_error(256, true), 0.2 * choice_error(64, true));
 }
 
 // Errors of pixels side by side make up for each other: what is left after a blur is a fraction of what

@@ -28,18 +28,19 @@ resolution = [24, 24]
 integrator = "path"
 depth = 1
 [[object]]
-sphere = {radius = 0.8, fineness = 3}
-position = [3, 0.9, 0]
+sphere = {radius = 0.9, fineness = 3}
+position = [2.6, 1, 0]
 material = "black"
 [[object]]
 asset = "floor.obj"
+material = "grey"
 [[light]]
 type = "environment"
 [[material]]
 name = "black"
 base_color = "black"
 [[material]]
-name = "default"
+name = "grey"
 base_color = [0.8, 0.8, 0.8]
 metallic = 0
 roughness = 1
@@ -135,7 +136,7 @@ double squared_error_of_squares(const std::vector<double>& picture,
 // falls with n^(3/2) where an edge is what is integrated over: the ball against the sky.
 TEST_F(PathSampling, ASoftShadowHasLessErrorThanWithIndependentNumbers) {
   const Scene scene = read(kShadow);
-  const std::vector<double> converged = of_sequence(scene, 4096, 1);
+  const std::vector<double> converged = of_sequence(scene, 1024, 1);
   const double sequence = squared_error(of_sequence(scene, 64, 2), converged);
   const double independent = squared_error(of_independent_numbers(scene, 64, 2), converged);
   RecordProperty("variance_ratio_at_64", std::to_string(sequence / independent));
@@ -145,7 +146,7 @@ TEST_F(PathSampling, ASoftShadowHasLessErrorThanWithIndependentNumbers) {
 
 TEST_F(PathSampling, AtFewSamplesNeighboursErrorsMakeUpForEachOther) {
   const Scene scene = read(kShadow);
-  const std::vector<double> converged = of_sequence(scene, 4096, 1);
+  const std::vector<double> converged = of_sequence(scene, 1024, 1);
   for (const int samples : {1, 4}) {
     const double sequence = squared_error_of_squares(of_sequence(scene, samples, 3), converged);
     const double independent =

@@ -1,13 +1,15 @@
 // Where paths go from their vertices, by the laws of optics in the rest frame there.
 
 #include <algorithm>
+#include <cmath>
 
 #include "tracer/path_walk.h"
 
 namespace restframe {
 namespace {
 
-constexpr int sure_scatterings = 3;  // before paths may end by chance
+constexpr int sure_scatterings = 3;     // before paths may end by chance
+constexpr float widest_spread = 0.25F;  // radians
 
 float largest(const Vec3f& v) {
   return std::max({v.x, v.y, v.z});
@@ -74,6 +76,7 @@ void PathWalk::follow(int lane, const ScatteredLanes& scattered) {
     if (media_[lane].full()) return;
     media_[lane].enter(medium_of(lane, met_surface(lane), clock_[lane]));
   }
+  if (stage_.tables.has_textures()) widen_cone(lane, scattered.density[lane]);
   depart(lane, scattered.direction.at(lane));
 }
 
@@ -86,6 +89,18 @@ bool PathWalk::survives(int lane) {
   const float chance = std::min(1.0F, weight);
   paths_.throughput.set(lane, throughput / chance);
   return random(lane, Dimension::survival) < chance;
+}
+
+// The cone goes on as wide as it is here. Mirrors and clear glass spread it no further; a direction that
+// was chosen among others stands for those near it: for a part of the solid angle that is its own
+// among all samples of the pixel. Angles are of the rest frame, where lengths are omega times s.
+void PathWalk::widen_cone(int lane, float density) {
+  RayCone& cone = paths_.cone[lane];
+  cone.width = cone.at(hits_.s[lane]);
+  if (!(density > 0.0F)) return;
+  const float share = density * static_cast<float>(stage_.scene.render.samples);
+  const float spread = std::min(widest_spread, 0.5F / std::sqrt(share));
+  cone.slope += spread * static_cast<float>(paths_.omega[lane]);
 }
 
 // The frequency stays in the scatterer's rest frame.

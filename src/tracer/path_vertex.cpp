@@ -5,6 +5,7 @@
 #include "frames/lane_groups.h"
 #include "physics/clones.h"
 #include "tracer/path_walk.h"
+#include "tracer/shading_normal.h"
 
 namespace restframe {
 namespace {
@@ -32,11 +33,13 @@ PlainMaterial plain_material(const Material& m) {
   const bool textured = m.base_color_texture.texture >= 0 ||
                         m.metallic_roughness_texture.texture >= 0 ||
                         m.emission_texture.texture >= 0 || m.specular_texture.texture >= 0 ||
-                        m.specular_color_texture.texture >= 0;
+                        m.specular_color_texture.texture >= 0 || has_normal_map(m);
   PlainMaterial plain;
   plain.layered = is_layered(m);
   plain.always =
       !changes && !textured && !m.unlit && !plain.layered && m.alpha_mode == AlphaMode::opaque;
+  plain.tilted = has_normal_map(m);
+  plain.tilted_coat = m.clearcoat_normal_texture.texture >= 0;
   plain.double_sided = m.double_sided;
   plain.base = m.base_color.value;
   plain.emission = m.emission.value * m.emission_strength.value;
@@ -160,6 +163,16 @@ RESTFRAME_CLONES void PathWalk::set_geometry() {
     bsdf.normal.set(i, surfaces_.normal.at(i));
     bsdf.facet.set(i, vertices_.at.facet.at(i));
     bsdf.base.set(i, glm::max(bsdf.base.at(i), Vec3f(0)));
+  }
+  for (int lane = 0; tilts_ && lane < packet_size; ++lane) {
+    if (vertices_.active[lane] == 0 || !plain(lane).tilted) continue;
+    bsdf.normal.set(
+        lane, reflecting_normal(bsdf.view.at(lane), bsdf.facet.at(lane), bsdf.normal.at(lane)));
+  }
+  for (int lane = 0; bsdf.layered && lane < packet_size; ++lane) {
+    if (vertices_.active[lane] == 0 || !plain(lane).tilted_coat) continue;
+    Vec3fLanes& coat = bsdf.layers.coat_normal;
+    coat.set(lane, reflecting_normal(bsdf.view.at(lane), bsdf.facet.at(lane), coat.at(lane)));
   }
 }
 

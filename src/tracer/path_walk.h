@@ -7,6 +7,7 @@
 #include "tracer/bsdf.h"
 #include "tracer/emitter_points.h"
 #include "tracer/environment.h"
+#include "tracer/footprint.h"
 #include "tracer/light_sampling.h"
 #include "tracer/medium_stack.h"
 #include "tracer/plain_material.h"
@@ -24,6 +25,7 @@ enum class LightSearch : std::uint8_t { both, by_choice, by_chance };
 struct PathStage {
   const Scene& scene;
   const FrameSet& frames;
+  SurfaceTables tables;
   std::vector<ObjectPlace> places;
   std::vector<PlainMaterial> plain;  // a material each
   std::vector<LightPlace> lights;    // without size: paths never meet them by chance
@@ -62,6 +64,7 @@ class PathWalk {
     Lanes<float> coverage;  // 1: something was met that is no background
     Lanes<std::int32_t> scatterings;
     Lanes<double> omega;  // the light's frequency in the rest frame of the surface or medium
+    Lanes<RayCone> cone;  // around the path on its way; only where there are textures
   };
   // Surface events that scatter, each in its rest frame.
   struct VertexLanes {
@@ -98,8 +101,11 @@ class PathWalk {
   void stop_or_pass(int lane);
   void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
   void pass(int lane);
+  float cone_width(int lane) const {
+    return stage_.tables.has_textures() ? paths_.cone[lane].at(hits_.s[lane]) : 0.0F;
+  }
   MetSurface met_surface(int lane) const {
-    return {stage_.scene, stage_.frames, surfaces_, hits_, lane};
+    return {stage_.scene, stage_.frames, surfaces_, hits_, lane, &stage_.tables, cone_width(lane)};
   }
   const PlainMaterial& plain(int lane) const {
     return stage_.plain[static_cast<std::size_t>(surfaces_.material[lane])];
@@ -151,6 +157,7 @@ class PathWalk {
   void receive(int lane, const Vec3f& light) {
     paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * light);
   }
+  void widen_cone(int lane, float density);
   void depart(int lane, const Vec3f& direction);
 
   float random(int lane, Dimension dimension) { return random_(lane, dimension, round_); }
@@ -172,6 +179,7 @@ class PathWalk {
   Lanes<double> clock_;               // of what was met, unless it is plain
   Lanes<Vec4f> texture_;              // likewise: the base colour's
   Lanes<std::int32_t> met_;           // -1: the path is stopped by a surface in this round
+  bool tilts_ = false;                // some surface met has a normal map
   VertexLanes vertices_;
   MediumCrossing crossing_;
 };
