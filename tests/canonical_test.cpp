@@ -32,6 +32,9 @@ Scene base() {
   scene.objects = {object};
   scene.lights.resize(2);
   scene.lights[0].sweep = Sweep();
+  scene.lights[1].kind = LightKind::environment;
+  scene.lights[1].sky_map = 0;
+  scene.sky_maps = {{"sky", 2, 1, {Vec3f(1), Vec3f(2)}}};
   scene.functions.push_back(IntervalFunction{1.0, {{0, 0.5, Vec3f(1)}}});
   scene.functions.push_back(KeyFunction{{}, {{0, Vec3f(0)}, {1, Vec3f(1)}}});
   scene.functions.push_back(FormulaFunction{{"t"}, Vec3f(0), Vec3f(1)});
@@ -261,6 +264,7 @@ TEST(Canonical, ChangesWithMaterials) {
       {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
+      {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
   });
 }
 
@@ -314,6 +318,18 @@ TEST(Canonical, ChangesWithLights) {
       {"intensity's function", [](Scene& s) { s.lights[1].intensity.function = 0; }},
       {"group", [](Scene& s) { s.lights[1].group = "key"; }},
       {"a light more", [](Scene& s) { s.lights.emplace_back(); }},
+      {"no map", [](Scene& s) { s.lights[1].sky_map = -1; }},
+      {"another map", [](Scene& s) { s.lights[1].sky_map = 1; }},
+      {"a turned map",
+       [](Scene& s) {
+         s.lights[1].rest_from_map = Mat3({0, 1, 0}, {-1, 0, 0}, {0, 0, 1});
+       }},
+      {"a map's pixel", [](Scene& s) { s.sky_maps[0].pixels[1].z = 3; }},
+      {"a map's size",
+       [](Scene& s) {
+         s.sky_maps[0].width = 1;
+         s.sky_maps[0].height = 2;
+       }},
   });
 }
 

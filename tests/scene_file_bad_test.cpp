@@ -204,6 +204,7 @@ TEST_F(BadScene, Materials) {
       {in_material("clearcote = 1"), {"6:1: ", "\"clearcoat\""}},
       {in_material("opacity = true"), {"6:11: ", "must be a number"}},
       {in_material("unlit = 1"), {"6:9: ", "true or false"}},
+      {in_material("thin_walled = \"yes\""), {"6:15: ", "true or false"}},
   });
 }
 

@@ -182,6 +182,7 @@ roughness = 0.25
 emission = [0, 2, 0]
 emission_strength = 3
 unlit = true
+thin_walled = true
 )");
   const Material& material = slot(scene, 0, balls);
   EXPECT_EQ(material.name, "balls");
@@ -191,6 +192,7 @@ unlit = true
   EXPECT_EQ(material.emission.value, Vec3f(0, 2, 0));
   EXPECT_EQ(material.emission_strength.value, 3);
   EXPECT_TRUE(material.unlit);
+  EXPECT_TRUE(material.thin_walled);
   EXPECT_FALSE(slot(scene, 0, rods).unlit);
 }
 

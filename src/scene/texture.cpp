@@ -1,5 +1,7 @@
 #include "scene/texture.h"
 
+#include "scene/texel_grid.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,11 +43,10 @@ int wrapped(int i, int size, Wrap wrap) {
   return place < size ? place : 2 * size - 1 - place;
 }
 
-Vec4f texel(const Texture& texture, const Image& image, int i, int j) {
-  const auto column = static_cast<std::size_t>(wrapped(i, image.width, texture.wrap_u));
-  const auto row = static_cast<std::size_t>(wrapped(j, image.height, texture.wrap_v));
-  const std::uint8_t* rgba =
-      image.rgba.data() + 4 * (row * static_cast<std::size_t>(image.width) + column);
+Vec4f texel(const Texture& texture, const TexelGrid& grid, int i, int j) {
+  const auto column = static_cast<std::size_t>(wrapped(i, grid.width, texture.wrap_u));
+  const auto row = static_cast<std::size_t>(wrapped(j, grid.height, texture.wrap_v));
+  const std::uint8_t* rgba = grid.rgba + 4 * (row * static_cast<std::size_t>(grid.width) + column);
   const std::array<float, 256>& table = texture.srgb ? srgb_table : data_table;
   return {table[rgba[0]], table[rgba[1]], table[rgba[2]], data_table[rgba[3]]};
 }
@@ -54,19 +55,28 @@ Vec4f texel(const Texture& texture, const Image& image, int i, int j) {
 
 Vec4f sample_texture(const Texture& texture, const Image& image, const Vec2f& uv) {
   if (image.rgba.empty()) return Vec4f(1);
-  const float x = reduce(uv.x, texture.wrap_u) * static_cast<float>(image.width);
-  const float y = reduce(uv.y, texture.wrap_v) * static_cast<float>(image.height);
-  if (texture.filter == TextureFilter::nearest) {
-    return texel(texture, image, static_cast<int>(x), static_cast<int>(y));
+  return sample_grid(texture, texture.filter, grid_of(image), uv);
+}
+
+Vec4f sample_grid(const Texture& texture, TextureFilter filter, const TexelGrid& grid,
+                  const Vec2f& uv) {
+  const float x = reduce(uv.x, texture.wrap_u) * static_cast<float>(grid.width);
+  const float y = reduce(uv.y, texture.wrap_v) * static_cast<float>(grid.height);
+  if (filter == TextureFilter::nearest) {
+    return texel(texture, grid, static_cast<int>(x), static_cast<int>(y));
   }
   // Texel centres are at half-integers.
   const float left = std::floor(x - 0.5F), top = std::floor(y - 0.5F);
   const float s = x - 0.5F - left, t = y - 0.5F - top;
   const int i = static_cast<int>(left), j = static_cast<int>(top);
-  const Vec4f above = glm::mix(texel(texture, image, i, j), texel(texture, image, i + 1, j), s);
+  const Vec4f above = glm::mix(texel(texture, grid, i, j), texel(texture, grid, i + 1, j), s);
   const Vec4f below =
-      glm::mix(texel(texture, image, i, j + 1), texel(texture, image, i + 1, j + 1), s);
+      glm::mix(texel(texture, grid, i, j + 1), texel(texture, grid, i + 1, j + 1), s);
   return glm::mix(above, below, t);
+}
+
+float linear_from_byte(bool srgb, std::uint8_t value) {
+  return (srgb ? srgb_table : data_table)[value];
 }
 
 }  // namespace restframe

@@ -36,6 +36,7 @@ void validate_poses(const Scene& scene, std::vector<std::string>& faults);
 void validate_mesh(const Mesh& mesh, std::vector<std::string>& faults);
 void validate_materials(const Scene& scene, std::vector<std::string>& faults);
 void validate_textures(const Scene& scene, std::vector<std::string>& faults);
+void validate_sky_map(const SkyMap& map, std::vector<std::string>& faults);
 // But for its worldline. `name` names it in faults.
 void validate_light(const Scene& scene, const Light& light, const std::string& name,
                     std::vector<std::string>& faults);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scene/error.h"
+#include "tracer/emitter_power.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -12,29 +13,35 @@ namespace {
 
 constexpr std::uint64_t no_crossing = ~std::uint64_t{0};
 
-bool emits(const Material& m) {
-  const bool dark =
-      (m.emission.value == Vec3f(0) && m.emission.function == no_function) ||
-      (m.emission_strength.value == 0.0F && m.emission_strength.function == no_function);
-  return m.unlit || !dark;
-}
-
 }  // namespace
 
-PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
-    : stage_{scene, frames, object_places(scene, frames), {}, {}, {}, false, false, false, false},
+PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch search)
+    : stage_{scene,
+             frames,
+             SurfaceTables(scene),
+             object_places(scene, frames),
+             {},
+             {},
+             environments(scene),
+             search == LightSearch::by_chance ? Emitters() : Emitters(scene, frames),
+             search},
       crossed_media_(no_crossing) {
-  for (const LightPlace& place : light_places(scene)) {
-    const bool surrounds = place.light->kind == LightKind::environment;
-    (surrounds ? stage_.environments : stage_.lights).push_back(place);
+  for (Environment& sky : stage_.environments) {
+    if (search == LightSearch::by_chance) sky.is_sampled = false;
   }
+  for (const LightPlace& place : light_places(scene)) {
+    if (place.light->kind != LightKind::environment) stage_.lights.push_back(place);
+  }
+  stage_.has_lights = !stage_.lights.empty() || !stage_.emitters.empty() ||
+                      std::any_of(stage_.environments.begin(), stage_.environments.end(),
+                                  [](const Environment& sky) { return sky.is_sampled; });
   stage_.has_clocks =
       !scene.functions.empty() || std::any_of(scene.lights.begin(), scene.lights.end(),
                                               [](const Light& l) { return l.sweep.has_value(); });
   stage_.has_emitters = !stage_.environments.empty();
   for (const Material& material : scene.materials) {
     stage_.has_emitters = stage_.has_emitters || emits(material);
-    stage_.has_media = stage_.has_media || can_transmit(material);
+    stage_.has_media = stage_.has_media || refracts(material);
     stage_.plain.push_back(plain_material(material));
     stage_.has_see_through = stage_.has_see_through || material.alpha_mode != AlphaMode::opaque;
   }

@@ -5,6 +5,9 @@
 // from them (path_scatter.cpp).
 
 #include "tracer/bsdf.h"
+#include "tracer/emitter_points.h"
+#include "tracer/environment.h"
+#include "tracer/footprint.h"
 #include "tracer/light_sampling.h"
 #include "tracer/medium_stack.h"
 #include "tracer/plain_material.h"
@@ -14,18 +17,31 @@
 
 namespace restframe {
 
+// How paths find the light of what they can also meet: by looking for it at every vertex, by chance, or
+// by both, each weighed by how likely it is to. All have the same mean; two are for comparison.
+enum class LightSearch : std::uint8_t { both, by_choice, by_chance };
+
 // What all paths share.
 struct PathStage {
   const Scene& scene;
   const FrameSet& frames;
+  SurfaceTables tables;
   std::vector<ObjectPlace> places;
   std::vector<PlainMaterial> plain;  // a material each
-  std::vector<LightPlace> lights, environments;
-  bool has_emitters = false;     // surfaces or environments: paths meet them by chance only
+  std::vector<LightPlace> lights;    // without size: paths never meet them by chance
+  std::vector<Environment> environments;
+  Emitters emitters;
+  LightSearch search = LightSearch::both;
+  bool has_lights = false;       // something to look for light of at every vertex
+  bool has_emitters = false;     // surfaces or environments that paths may meet
   bool has_see_through = false;  // materials that let light pass straight on
   bool has_clocks = false;       // something that changes over time
   bool has_media = false;        // materials that light can be inside of
 };
+
+// What light meets on its way to a surface: lamps without size are hidden by back faces, too; what
+// paths could also meet is seen as paths see it.
+enum class ShadowKind : std::uint8_t { of_lamps, as_paths_see };
 
 // Objects of two velocities, of which light found one inside the other; -1: none.
 struct MediumCrossing {
@@ -48,12 +64,20 @@ class PathWalk {
     Lanes<float> coverage;  // 1: something was met that is no background
     Lanes<std::int32_t> scatterings;
     Lanes<double> omega;  // the light's frequency in the rest frame of the surface or medium
+    Lanes<RayCone> cone;  // around the path on its way; only where there are textures
   };
   // Surface events that scatter, each in its rest frame.
   struct VertexLanes {
     Lanes<std::int32_t> active;
     HitEvents at;
     BsdfLanes bsdf;
+  };
+  // How the paths' last scatterings chose their directions.
+  struct ChosenLanes {
+    // Per steradian in the rest frame there; 0 where lights were not looked for in that direction: after
+    // mirrors, into and out of media, and before the first.
+    Lanes<float> density;
+    Lanes<double> omega;  // the light's frequency there
   };
   // What shines towards the paths from what they have met, before the emitter's factor.
   struct ShineLanes {
@@ -76,8 +100,11 @@ class PathWalk {
   void stop_or_pass(int lane);
   void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
   void pass(int lane);
+  float cone_width(int lane) const {
+    return stage_.tables.has_textures() ? paths_.cone[lane].at(hits_.s[lane]) : 0.0F;
+  }
   MetSurface met_surface(int lane) const {
-    return {stage_.scene, stage_.frames, surfaces_, hits_, lane};
+    return {stage_.scene, stage_.frames, surfaces_, hits_, lane, &stage_.tables, cone_width(lane)};
   }
   const PlainMaterial& plain(int lane) const {
     return stage_.plain[static_cast<std::size_t>(surfaces_.material[lane])];
@@ -95,8 +122,26 @@ class PathWalk {
   void add_lights();
   void find_rest_frames(LitLanes& lit) const;
   void add_light(const LightPlace& light, const LitLanes& lit, const ViewLobeLanes& lobes);
-  void let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
-  void dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
+  void add_arriving(const IncidentLanes& from_light, const LitLanes& lit,
+                    const Vec3fLanes& fraction, ShadowKind kind);
+  void let_through(RayPacket& shadows, const Lanes<double>& s_max, ShadowKind kind,
+                   Lanes<float>& left);
+  void dim(RayPacket& shadows, const Lanes<double>& s_max, ShadowKind kind, Lanes<float>& left);
+  bool stops_all(const SurfaceLanes& surfaces, int lane) const;
+  float stopped(const MetSurface& met, ShadowKind kind);
+
+  void add_emitters(const LitLanes& lit, const ViewLobeLanes& lobes);
+  void set_radiance(const EmitterPoints& points, const PointsSeen& seen, IncidentLanes& from);
+  Vec3f shine(const MetSurface& met, double rest_t);
+  void add_sky(const Environment& sky, const LitLanes& lit, const ViewLobeLanes& lobes);
+  void add_sampled(IncidentLanes& from, const Lanes<double>& density, const LitLanes& lit,
+                   const ViewLobeLanes& lobes);
+  void darken_insides(IncidentLanes& from) const;
+  void set_chosen(int lane, float density);
+  float share_of_chance(int lane, double light_density) const;
+  float share_of_sky(const Environment& sky, int lane) const;
+  float share_of_emitter(int lane) const;
+  void weigh_emission(ShineLanes& shines) const;
 
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
@@ -110,6 +155,7 @@ class PathWalk {
   void receive(int lane, const Vec3f& light) {
     paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * light);
   }
+  void widen_cone(int lane, float density);
   void depart(int lane, const Vec3f& direction);
 
   float random(int lane, Dimension dimension) { return random_(lane, dimension, round_); }
@@ -122,6 +168,7 @@ class PathWalk {
   SurfaceDataLanes* data_;
   std::uint32_t round_ = 0;  // surfaces met so far
   PathLanes paths_;
+  ChosenLanes chosen_;
   Lanes<MediumStack> media_;
   HitPacket hits_;
   SurfaceLanes surfaces_;
@@ -130,6 +177,7 @@ class PathWalk {
   Lanes<double> clock_;               // of what was met, unless it is plain
   Lanes<Vec4f> texture_;              // likewise: the base colour's
   Lanes<std::int32_t> met_;           // -1: the path is stopped by a surface in this round
+  bool tilts_ = false;                // some surface met has a normal map
   VertexLanes vertices_;
   MediumCrossing crossing_;
 };

@@ -45,6 +45,13 @@ enum class Dimension : std::uint32_t {
   film_v,
   lens_u,
   lens_v,
+  emitter_frame,
+  emitter_triangle,
+  emitter_triangle_digits,
+  emitter_u,
+  emitter_v,
+  sky_u,
+  sky_v,
   count
 };
 
@@ -56,6 +63,8 @@ constexpr std::uint32_t place_in_set(Dimension dimension) {
     case Dimension::direction_v:
     case Dimension::film_v:
     case Dimension::lens_v:
+    case Dimension::emitter_v:
+    case Dimension::sky_v:
       return 1;
     case Dimension::lobe:
       return 2;
