@@ -131,7 +131,7 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   const Material& material = met.material();
   const double clock = clock_[lane];
   Vec3f emitted = emission(met, clock, evaluator_);
-  if (plain(lane).layered) emitted *= below_coat(met, clock, evaluator_);
+  if (plain(lane).layered && emitted != Vec3f(0)) emitted *= below_coat(met, clock, evaluator_);
   const bool needs_base = material.unlit || scatters;
   const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
   shines.set(lane, material.unlit ? emitted + base : emitted);

@@ -30,13 +30,9 @@ float coat_alpha_of(const MetSurface& met, double clock, TemporalEvaluator& eval
                   texel(met, material.clearcoat_roughness_texture).y);
 }
 
-// Between ray and coat. Mostly the coat's normal is the surface's.
+// Between ray and coat.
 float coat_cosine(const MetSurface& met) {
-  const Material& m = met.material();
-  if (!has_normal_map(m) && m.clearcoat_normal_texture.texture < 0) {
-    return met.surfaces.cosine[met.lane];
-  }
-  return std::max(0.0F, -glm::dot(clearcoat_normal(met), met.hits.sight.at(met.lane)));
+  return std::max(0.0F, -glm::dot(coat_normal_at(met), met.hits.sight.at(met.lane)));
 }
 
 }  // namespace
