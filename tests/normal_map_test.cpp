@@ -199,7 +199,8 @@ TEST(NormalMap, LeavesNoBlackInMirrors) {
   world.name = "world";
   world.kind = LightKind::environment;
   scene.lights = {world};
-  for (const Vec4f& pixel : first_picture(scene).rgba()) {
+  const Picture picture = first_picture(scene);
+  for (const Vec4f& pixel : picture.rgba()) {
     ASSERT_NEAR(pixel.x, 1, 1e-4);
     ASSERT_NEAR(pixel.z, 1, 1e-4);
   }
