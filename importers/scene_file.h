@@ -73,6 +73,15 @@ struct SceneFile {
 // A property as a file gives it: constant, or an index into Scene::functions.
 using Property = std::variant<TemporalValue, FunctionIndex>;
 
+// What a light or a material says of its spectrum.
+struct SpectrumChange {
+  std::optional<Property> temperature;
+  std::optional<std::vector<SpectrumPoint>> points;
+  std::optional<std::vector<EmissionLine>> lines;
+
+  bool any() const { return temperature || points || lines; }
+};
+
 // What one [[material]] says.
 struct MaterialChange {
   TextPosition at;
@@ -80,6 +89,7 @@ struct MaterialChange {
   std::optional<MaterialReference> object;  // only there
   std::vector<std::pair<TemporalNumber Material::*, Property>> numbers;
   std::vector<std::pair<TemporalColor Material::*, Property>> colors;
+  SpectrumChange spectrum;  // of its emission
   std::optional<bool> base_color_texture, unlit;
 };
 
@@ -115,6 +125,11 @@ std::optional<Property> read_property(TableReader& table, const std::string& key
 std::optional<TemporalFunction> read_function_file(TableReader& table,
                                                    const std::optional<double>& period,
                                                    const ValueRule& rule, SceneFile& file);
+
+// Where a file that the settings name at `at` lies; those that an asset names lie beside it. And how
+// it is called from where the file of the scene lies.
+Path named_path(const std::string& name, TextPosition at, const SceneFile& file);
+std::string source_name(const std::string& name, const Path& path, const SceneFile& file);
 
 // [camera]'s `aperture`, `focus` and `rolling`.
 void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera& camera);

@@ -79,21 +79,6 @@ void refuse_csv_keys(TableReader& table) {
   }
 }
 
-// A file from a stranger names only files beside it.
-Path named_path(const std::string& name, TextPosition at, const SceneFile& file) {
-  if (!file.asset_being_read) return file.path.parent_path() / Path(name);
-  const Path folder = folder_of(*file.asset_being_read);
-  const std::string what = file.faults.located(at, fmt::format("file \"{}\"", name));
-  return find_asset_file(folder, folder, name, what).value_or(folder / name);
-}
-
-// As it is called from where the file of the scene lies.
-std::string source_name(const std::string& name, const Path& path, const SceneFile& file) {
-  if (!file.asset_being_read) return name;
-  const Path folder = std::filesystem::canonical(folder_of(file.path));
-  return path.lexically_proximate(folder).generic_string();
-}
-
 std::optional<TemporalFunction> read_named_file(TableReader& table, const std::string& name,
                                                 const std::optional<double>& period,
                                                 const ValueRule& rule, SceneFile& file) {
@@ -115,6 +100,20 @@ std::optional<TemporalFunction> read_named_file(TableReader& table, const std::s
 }
 
 }  // namespace
+
+// A file from a stranger names only files beside it.
+Path named_path(const std::string& name, TextPosition at, const SceneFile& file) {
+  if (!file.asset_being_read) return file.path.parent_path() / Path(name);
+  const Path folder = folder_of(*file.asset_being_read);
+  const std::string what = file.faults.located(at, fmt::format("file \"{}\"", name));
+  return find_asset_file(folder, folder, name, what).value_or(folder / name);
+}
+
+std::string source_name(const std::string& name, const Path& path, const SceneFile& file) {
+  if (!file.asset_being_read) return name;
+  const Path folder = std::filesystem::canonical(folder_of(file.path));
+  return path.lexically_proximate(folder).generic_string();
+}
 
 std::optional<TemporalFunction> read_function_file(TableReader& table,
                                                    const std::optional<double>& period,

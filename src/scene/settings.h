@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "physics/observer.h"
+
 namespace restframe {
 
 struct AnimationSettings {
@@ -49,8 +51,11 @@ struct RenderSettings {
   int width = 1280, height = 720;
   int samples = 16;  // a pixel, for each exposure
   IntegratorKind integrator = IntegratorKind::preview;
-  int depth = 8;  // the most surfaces that scatter a path
+  int depth = 8;         // the most surfaces that scatter a path
+  bool doppler = false;  // wavelengths shift, and light is followed by wavelength
   bool beaming = false;
+  // The band that is seen, in false colours, instead of what is visible; with doppler.
+  std::optional<WavelengthBand> observe;
   std::uint64_t seed = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/spectrum.h"
 #include "scene/validate_data.h"
 
 namespace restframe {
@@ -36,6 +37,15 @@ void check_sweep(const Sweep& sweep, const std::string& name, Faults& faults) {
 
 }  // namespace
 
+void validate_spectrum(const Scene& scene, const TemporalNumber& temperature,
+                       const EmissionSpectrum& spectrum, const std::string& name, Faults& faults) {
+  validate_number(scene, temperature, name + ": temperature", faults,
+                  {0, static_cast<float>(hottest_kelvin)});
+  for (const std::string& fault : spectrum_faults(temperature, spectrum)) {
+    faults.push_back(name + ": " + fault);
+  }
+}
+
 void validate_light(const Scene& scene, const Light& light, const std::string& name,
                     Faults& faults) {
   if (!std::isfinite(light.clock)) faults.push_back(name + ": clock must be finite");
@@ -47,6 +57,7 @@ void validate_light(const Scene& scene, const Light& light, const std::string& n
   if (light.sweep) check_sweep(*light.sweep, name, faults);
   validate_color(scene, light.color, name + ": color", faults);
   validate_number(scene, light.intensity, name + ": intensity", faults);
+  validate_spectrum(scene, light.temperature, light.spectrum, name, faults);
 }
 
 }  // namespace restframe

@@ -47,6 +47,10 @@ Vec3f emitted(const Light& light, double clock, TemporalEvaluator& evaluator) {
 
 void set_emitted(const Light& light, const Lanes<double>& clock, TemporalEvaluator& evaluator,
                  IncidentLanes& incident) {
+  const bool keeps_temperature = light.temperature.function == no_function;
+  for (int i = 0; !keeps_temperature && i < packet_size; ++i) {
+    if (incident.active[i] != 0) incident.kelvin[i] = evaluator(light.temperature, clock[i]);
+  }
   if (is_constant(light)) {
     const Vec3f always = emitted(light, 0.0, evaluator);
     incident.irradiance.x.fill(always.x);

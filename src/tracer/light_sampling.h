@@ -33,6 +33,8 @@ struct IncidentLanes {
   Lanes<double> s_light;         // where the light is along k; infinite for a sun
   Vec3fLanes direction;          // unit, towards the light, in the surface's rest frame
   Vec3fLanes irradiance;         // of a surface across it there, times the emitter's factor
+  Lanes<double> omega;  // the light's frequency in the light's rest frame over that in the camera
+  Lanes<float> kelvin;  // of a light that has a temperature
   Lanes<std::int32_t> active;
 };
 

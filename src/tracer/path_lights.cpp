@@ -10,6 +10,11 @@ namespace {
 constexpr std::uint32_t most_layers = 1000;
 constexpr float least_light = 1e-4F;  // what is dimmed below this fraction is dark
 
+// Of a light with emission lines: colours before they became those of the paths' wavelengths.
+struct LineLight {
+  Vec3fLanes color, scattered;
+};
+
 }  // namespace
 
 // Where all surfaces rest in the world, nobody asks for their boosts.
@@ -44,6 +49,11 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
            evaluator_, from_light);
   Vec3fLanes arriving;
   scattered_fraction(vertices_.bsdf, lobes, from_light.direction, arriving);
+  const bool has_lines = follows_lines() && stage_.spectrum_of(light).has_lines();
+  LineLight line_light;
+  if (has_lines) line_light = {from_light.irradiance, arriving};
+  light_by_wavelength(light, from_light);
+  if (stage_.spectra.shifts) to_wavelengths(from_light.active, arriving);
   RayPacket shadows;
   shadows.coherent = false;  // they begin wherever the paths are
 #pragma GCC ivdep
@@ -53,7 +63,7 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
     arriving.set(i, light_of_lane);
     const bool dark =
         (light_of_lane.x == 0.0F) & (light_of_lane.y == 0.0F) & (light_of_lane.z == 0.0F);
-    shadows.active[i] = dark ? 0 : from_light.active[i];
+    shadows.active[i] = (dark & !has_lines) ? 0 : from_light.active[i];
   }
   if (!any_active(shadows.active)) return;
   shadows.origin = at.event;
@@ -70,6 +80,12 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
     paths_.radiance.x[i] += lights ? arriving.x[i] * left[i] : 0.0F;
     paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
     paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;
+  }
+  for (int i = 0; has_lines && i < packet_size; ++i) {
+    if (reached[i] == 0 || left[i] <= 0.0F) continue;
+    const Vec3f scattered = line_light.scattered.at(i);
+    receive_lines(i, stage_.spectrum_of(light), line_light.color.at(i) * left[i],
+                  from_light.omega[i], &scattered);
   }
 }
 

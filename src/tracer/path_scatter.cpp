@@ -67,6 +67,7 @@ bool PathWalk::survives(int lane) {
   if (paths_.scatterings[lane] <= sure_scatterings) return true;
   const float chance = std::min(1.0F, weight);
   paths_.throughput.set(lane, throughput / chance);
+  if (follows_lines()) history_.scale(lane, 1.0F / chance);
   return random(lane, Dimension::survival) < chance;
 }
 

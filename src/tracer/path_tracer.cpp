@@ -22,7 +22,8 @@ bool emits(const Material& m) {
 }  // namespace
 
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
-    : stage_{scene, frames, object_places(scene, frames), {}, {}, {}, false, false, false, false},
+    : stage_{scene, frames, object_places(scene, frames), {}, {}, {}, false, false,
+             false, false,  SceneSpectra(scene)},
       crossed_media_(no_crossing) {
   for (const LightPlace& place : light_places(scene)) {
     const bool surrounds = place.light->kind == LightKind::environment;

@@ -21,6 +21,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   paths_.radiance.z.fill(0.0F);
   paths_.coverage.fill(0.0F);
   paths_.scatterings.fill(0);
+  if (stage.spectra.shifts) choose_wavelengths();
   if (data_ != nullptr) data_->fill({});
 }
 
@@ -29,12 +30,6 @@ void PathWalk::run() {
     if (!find_surfaces()) break;
     stop_or_pass();
     if (any_active(met_)) meet();
-  }
-}
-
-void PathWalk::take_radiance(RadianceLanes& radiance) const {
-  for (int lane = 0; lane < packet_size; ++lane) {
-    radiance[lane] = Vec4f(paths_.radiance.at(lane), paths_.coverage[lane]);
   }
 }
 
@@ -79,8 +74,16 @@ void PathWalk::miss() {
 
 void PathWalk::add_environments(int lane) {
   for (const LightPlace& environment : stage_.environments) {
-    receive(lane, environment_radiance(environment, rays_.origin.at(lane), rays_.k.at(lane),
-                                       stage_.scene.render.beaming, evaluator_));
+    const Event<in::World> origin = rays_.origin.at(lane);
+    const WaveVector<in::World> k = rays_.k.at(lane);
+    const Vec3f color =
+        environment_radiance(environment, origin, k, stage_.scene.render.beaming, evaluator_);
+    const EmitterSpectrum& spectrum = stage_.spectrum_of(environment);
+    const double omega = -environment.frame.from_world(k).t;
+    const double clock = environment.frame(origin).t + environment.clock_at_anchor;
+    const float kelvin = evaluator_(environment.light->temperature, clock);
+    receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega));
+    if (follows_lines()) receive_lines(lane, spectrum, color, omega);
     paths_.coverage[lane] = 1;
   }
 }

@@ -5,7 +5,9 @@
 // from them (path_scatter.cpp).
 
 #include "tracer/bsdf.h"
+#include "tracer/emitter_spectrum.h"
 #include "tracer/light_sampling.h"
+#include "tracer/line_history.h"
 #include "tracer/medium_stack.h"
 #include "tracer/plain_material.h"
 #include "tracer/random.h"
@@ -25,6 +27,11 @@ struct PathStage {
   bool has_see_through = false;  // materials that let light pass straight on
   bool has_clocks = false;       // something that changes over time
   bool has_media = false;        // materials that light can be inside of
+  SceneSpectra spectra;
+
+  const EmitterSpectrum& spectrum_of(const LightPlace& place) const {
+    return spectra.lights[static_cast<std::size_t>(place.light - scene.lights.data())];
+  }
 };
 
 // Objects of two velocities, of which light found one inside the other; -1: none.
@@ -55,14 +62,32 @@ class PathWalk {
     HitEvents at;
     BsdfLanes bsdf;
   };
-  // What shines towards the paths from what they have met, before the emitter's factor.
+  // Of paths that are followed by wavelength: three lanes are three wavelengths. Without initial
+  // values.
+  struct WavelengthLanes {
+    Lanes<float> hero;      // what chose them, in [0, 1)
+    Vec3fLanes wavelength;  // the camera's, nm
+    // What surfaces reflect of them, and daylight, where light has `omega` times its frequency.
+    Lanes<double> omega;
+    Lanes<std::array<Vec4f, 3>> local;
+    Vec3fLanes lines;  // light of emission lines, linear Rec. 709
+  };
+  // What shines towards the paths from what they have met, before the emitter's factor: D65 light of
+  // a colour, and colours of light of the materials' own spectra.
   struct ShineLanes {
-    bool any = false;
-    Vec3fLanes radiance;
+    bool any = false, any_own = false;
+    Vec3fLanes radiance, own;
+    Lanes<float> kelvin;
 
     void set(int lane, const Vec3f& shines) {
       radiance.set(lane, shines);
       any = any || shines != Vec3f(0);
+    }
+    void set_own(int lane, const Vec3f& color, float temperature) {
+      if (!any_own) own = {};
+      own.set(lane, color);
+      kelvin[lane] = temperature;
+      any_own = true;
     }
   };
 
@@ -90,6 +115,7 @@ class PathWalk {
                           ShineLanes& shines);
   void set_changing_material(int lane, ShineLanes& shines);
   void add_emission(const ShineLanes& shines);
+  void add_own_spectrum(int lane, const ShineLanes& shines);
   void set_geometry();
 
   void add_lights();
@@ -102,15 +128,38 @@ class PathWalk {
   float index_ratio(int lane, const MetSurface& met, double clock);
   void scatter_on(int lane);
   bool survives(int lane);
-  // The path goes on with this fraction of its light.
+  // The path goes on with this fraction of its light, a colour at the surface or in the medium that
+  // it is at.
   void weigh(int lane, const Vec3f& weight) {
-    paths_.throughput.set(lane, paths_.throughput.at(lane) * weight);
+    paths_.throughput.set(lane, paths_.throughput.at(lane) * by_wavelength(lane, weight));
+    if (follows_lines()) history_.weigh(lane, weight, paths_.omega[lane]);
   }
   // Light that arrives at the end of the path, its emitter's factor included.
   void receive(int lane, const Vec3f& light) {
     paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * light);
   }
   void depart(int lane, const Vec3f& direction);
+
+  void choose_wavelengths();
+  void find_local_spectra();
+  // A fraction by colour, where the path is, as one by the path's lanes.
+  Vec3f by_wavelength(int lane, const Vec3f& color) const {
+    if (!stage_.spectra.shifts) return color;
+    const std::array<Vec4f, 3>& local = by_wavelength_.local[lane];
+    return {glm::dot(Vec3f(local[0]), color), glm::dot(Vec3f(local[1]), color),
+            glm::dot(Vec3f(local[2]), color)};
+  }
+  void to_wavelengths(const Lanes<std::int32_t>& active, Vec3fLanes& colors) const;
+  // An emitter's light of a colour, which is any factors times the colour, as the path's lanes have
+  // it. omega: its frequency in the emitter's rest frame over that in the camera.
+  Vec3f light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
+                            float kelvin, double omega) const;
+  void light_by_wavelength(const LightPlace& light, IncidentLanes& from_light) const;
+  bool follows_lines() const { return stage_.spectra.shifts && stage_.spectra.has_lines; }
+  // The lines of an emitter's light of a colour: they are not among the path's wavelengths. What the
+  // surface where the path is scatters of it is `scattered`, a colour, if light comes by way of it.
+  void receive_lines(int lane, const EmitterSpectrum& spectrum, const Vec3f& color, double omega,
+                     const Vec3f* scattered = nullptr);
 
   float random(int lane, Dimension dimension) const {
     return random_unit(id_, lane, dimension, round_);
@@ -124,6 +173,8 @@ class PathWalk {
   SurfaceDataLanes* data_;
   std::uint32_t round_ = 0;  // surfaces met so far
   PathLanes paths_;
+  WavelengthLanes by_wavelength_;
+  LineHistory history_;
   Lanes<MediumStack> media_;
   HitPacket hits_;
   SurfaceLanes surfaces_;

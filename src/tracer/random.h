@@ -23,7 +23,8 @@ enum class Dimension : std::uint32_t {
   lobe,
   direction_u,
   direction_v,
-  survival
+  survival,
+  wavelength
 };
 
 // Steele and others' SplitMix64 finaliser: every input bit reaches every output bit.
