@@ -100,11 +100,11 @@ TEST(Observer, ShowsThirdsAsRedGreenAndBlue) {
   EXPECT_EQ(camera.response(8001), Vec3(0));
 }
 
-// Where daylight has next to nothing, a millionth of its best is white.
+// Where daylight has next to nothing, a billionth of its best is white.
 TEST(Observer, StaysFiniteInTheFarUltraviolet) {
   const Observer camera(WavelengthBand{10, 40});
   const Vec3 seen = by_samples(
-      camera, [](double) { return 1e-6; }, 3000);
+      camera, [](double) { return 1e-9; }, 3000);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(seen[i], 1 / daylight(560), 0.01 / daylight(560));
 }
 

@@ -144,7 +144,7 @@ struct Band {
     return sum;
   }
   Vec3 white() const {
-    return energy([](double w) { return std::max(daylight(w), 1e-6 * daylight(560)); });
+    return energy([](double w) { return std::max(daylight(w), 1e-9 * daylight(560)); });
   }
 };
 

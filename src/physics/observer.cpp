@@ -50,7 +50,7 @@ std::vector<double> band_edges(const WavelengthBand& band, int count) {
 
 // In steps of equal ratio, since bands may span decades.
 double white_energy(double from, double to) {
-  const double least = 1e-6 * daylight(560);
+  const double least = 1e-9 * daylight(560);
   constexpr int steps = 1024;
   const double ratio = std::pow(to / from, 1.0 / steps);
   double sum = 0;

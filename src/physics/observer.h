@@ -20,8 +20,8 @@ inline constexpr double shortest_wavelength = 10, longest_wavelength = 100'000;
 
 // The eye (CIE 1931), or a camera for another band in false colours: its thirds, of equal ratios of
 // wavelengths, are shown as red (the longest), green and blue, each as the energy in it over that of
-// D65 light of luminance 1. So white is white in any band; where D65 has less than a millionth of what
-// it has at 560 nm (below 80 nm), that millionth counts as white.
+// D65 light of luminance 1. So white is white in any band; where D65 has less than a billionth of what
+// it has at 560 nm (below 60 nm), that billionth counts as white.
 class Observer {
  public:
   explicit Observer(const std::optional<WavelengthBand>& band);

@@ -85,6 +85,7 @@ struct SceneSpectra {
   bool shifts;  // light is followed by wavelength, which shifts
   Observer observer;
   std::vector<EmitterSpectrum> materials, lights;
+  EmitterSpectrum daylight;
   bool has_lines = false;  // any of them
   const SpectrumTable& table;
 };

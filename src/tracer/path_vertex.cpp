@@ -145,7 +145,7 @@ void PathWalk::add_emission(const ShineLanes& shines) {
   if (stage_.spectra.shifts) {
     for (int lane = 0; lane < packet_size; ++lane) {
       if (met_[lane] == 0) continue;
-      light.set(lane, light_by_wavelength(lane, EmitterSpectrum(), light.at(lane), 0.0F,
+      light.set(lane, light_by_wavelength(lane, stage_.spectra.daylight, light.at(lane), 0.0F,
                                           paths_.omega[lane]));
     }
   }
