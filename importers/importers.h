@@ -57,6 +57,11 @@ Image decode_image(std::span<const std::uint8_t> bytes, const std::string& what,
 std::size_t count_image_pixels(std::span<const std::uint8_t> bytes, const std::string& what,
                                const ImportLimits& limits);
 
+// A latitude-longitude environment from the bytes of an OpenEXR file: scan lines of R, G and B, or of
+// Y. `what` names it in errors.
+SkyMap decode_sky_map(std::span<const std::uint8_t> bytes, const std::string& what,
+                      const ImportLimits& limits, Warnings& warnings);
+
 // Normals by crease angle where a mesh has none: smooth across edges that fold by less than
 // `crease_degrees`. Vertices are split where their corners' normals differ.
 void add_normals(Mesh& mesh, double crease_degrees = 40);

@@ -61,8 +61,9 @@ struct SceneFile {
   std::size_t triangles = 0;              // of all assets
   std::size_t placed_bytes = 0;           // of what objects take of their assets
   std::map<std::string, int> object_of_name;
-  std::map<std::string, int> light_names;   // with the last number that made one of it
-  std::map<std::string, int> asset_of_key;  // by canonical path, or by a generator's settings
+  std::map<std::string, int> light_names;      // with the last number that made one of it
+  std::map<std::string, int> asset_of_key;     // by canonical path, or by a generator's settings
+  std::map<std::string, int> sky_map_of_path;  // canonical
   bool names_complete = true;  // else an asset or a [[material]] is lost: names can not be checked
   int object_tables = 0;       // [[object]]s so far
   std::vector<ObjectMaterials> object_materials;  // one an object
@@ -126,16 +127,23 @@ std::optional<TemporalFunction> read_function_file(TableReader& table,
                                                    const std::optional<double>& period,
                                                    const ValueRule& rule, SceneFile& file);
 
-// Where a file that the settings name at `at` lies; those that an asset names lie beside it. And how
-// it is called from where the file of the scene lies.
+// Where a file lies that a table names, at `at`; one from a stranger names only files beside it. Throws
+// InputError if it names others.
 Path named_path(const std::string& name, TextPosition at, const SceneFile& file);
+// What that file is called from where the file of the scene lies.
 std::string source_name(const std::string& name, const Path& path, const SceneFile& file);
+
+// An environment's `file` and `rotation`.
+void read_sky_map(TableReader& table, SceneFile& file, Light& light);
 
 // [camera]'s `aperture`, `focus` and `rolling`.
 void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera& camera);
 
 // `velocity`, in fractions of c; at rest if it is not given.
 Velocity read_velocity(TableReader& table);
+
+// By degrees about the fixed axes: first x, then y, then z.
+Mat4 rotation_matrix(const Vec3& degrees);
 
 // A vector of any length but zero, made one of length one.
 std::optional<Vec3> read_direction(TableReader& table, const std::string& key);

@@ -101,7 +101,6 @@ std::optional<TemporalFunction> read_named_file(TableReader& table, const std::s
 
 }  // namespace
 
-// A file from a stranger names only files beside it.
 Path named_path(const std::string& name, TextPosition at, const SceneFile& file) {
   if (!file.asset_being_read) return file.path.parent_path() / Path(name);
   const Path folder = folder_of(*file.asset_being_read);

@@ -37,6 +37,8 @@ void refuse_keys_of_others(TableReader& table, LightKind kind) {
   refuse("direction", is_directed(kind), "a spot or sun");
   refuse("cone", kind == LightKind::spot, "a spot");
   refuse("sweep", kind == LightKind::spot, "a spot");
+  refuse("file", is_environment, "an environment");
+  refuse("rotation", is_environment, "an environment");
 }
 
 void read_cone(TableReader& table, Light& light) {
@@ -65,6 +67,14 @@ Vec3 turned(const Mat4& object_from_asset, const Vec3& direction) {
   return glm::normalize(Mat3(object_from_asset) * direction);
 }
 
+// The rotation nearest to what it does to the axes of the light's map.
+Mat3 turned_axes(const Mat4& object_from_asset, const Light& light) {
+  const Mat3 axes = Mat3(object_from_asset) * light.rest_from_map;
+  const Vec3 x = glm::normalize(axes[0]);
+  const Vec3 y = glm::normalize(axes[1] - glm::dot(axes[1], x) * x);
+  return {x, y, glm::cross(x, y)};
+}
+
 // In the coordinates of the light's asset, if it has one.
 std::optional<Vec3> read_turned(TableReader& table, const std::string& key,
                                 const LightStart* start) {
@@ -83,6 +93,14 @@ void read_sweep(TableReader& light_table, const LightStart* start, SceneFile& fi
   sweep.period = reader.number("period", above(0)).value_or(1);
   reader.finish();
   light.sweep = sweep;
+}
+
+// A map that something carries is turned with it.
+void read_sky(TableReader& table, const LightStart* start, SceneFile& file, Light& light) {
+  if (light.kind != LightKind::environment) return;
+  read_sky_map(table, file, light);
+  if (light.sky_map < 0) return;
+  if (start != nullptr) light.rest_from_map = turned_axes(start->object_from_asset, light);
 }
 
 // Layers will be called light_GROUP.
@@ -108,6 +126,7 @@ void ride(int index, const Vec3& position, const SceneFile& file, Light& light) 
   light.clock = object.clock;
   light.frame_clock = object.frame_clock;
   light.direction = turned(file.object_from_asset[i], light.direction);
+  light.rest_from_map = turned_axes(file.object_from_asset[i], light);
   if (light.sweep) light.sweep->axis = turned(file.object_from_asset[i], light.sweep->axis);
 }
 
@@ -212,10 +231,10 @@ void read_light(const ConfigTable& table, const LightStart* start, SceneFile& fi
   light.direction = read_turned(reader, "direction", start).value_or(light.direction);
   read_cone(reader, light);
   read_sweep(reader, start, file, light);
+  read_sky(reader, start, file, light);
   read_place(reader, start, file, light);
   read_emission(reader, file, light);
   read_group(reader, light);
-  reader.not_supported({"file", "rotation"});
   reader.finish();
   file.scene.lights.push_back(std::move(light));
 }

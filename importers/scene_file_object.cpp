@@ -9,14 +9,6 @@
 namespace restframe {
 namespace {
 
-// Degrees about the fixed axes: first x, then y, then z.
-Mat4 rotation_matrix(const Vec3& degrees) {
-  const Vec3 angle = glm::radians(degrees);
-  return glm::rotate(Mat4(1), angle.z, Vec3(0, 0, 1)) *
-         glm::rotate(Mat4(1), angle.y, Vec3(0, 1, 0)) *
-         glm::rotate(Mat4(1), angle.x, Vec3(1, 0, 0));
-}
-
 Mat4 read_placement(TableReader& table, double light_speed) {
   const Vec3 degrees = table.vector("rotation").value_or(Vec3(0));
   const double scale = table.number("scale", above(0)).value_or(1);
@@ -166,6 +158,13 @@ void read_object(const ConfigTable& table, SceneFile& file) {
 }
 
 }  // namespace
+
+Mat4 rotation_matrix(const Vec3& degrees) {
+  const Vec3 angle = glm::radians(degrees);
+  return glm::rotate(Mat4(1), angle.z, Vec3(0, 0, 1)) *
+         glm::rotate(Mat4(1), angle.y, Vec3(0, 1, 0)) *
+         glm::rotate(Mat4(1), angle.x, Vec3(1, 0, 0));
+}
 
 std::optional<int> read_object_reference(TableReader& table, const std::string& key,
                                          const SceneFile& file) {

@@ -118,7 +118,7 @@ TEST(Scattering, WithoutLossKeepsAllLight) {
   for (double theta = 0; theta < 1.5; theta += 0.29) {
     Bsdf metal = surface_seen_at(theta), glass = metal, diffuse = metal;
     metal.metallic = 1;
-    glass.transmission = 1;
+    glass.layers.transmission = 1;
     metal.alpha = glass.alpha = diffuse.alpha = 0;
     for (const float eta : {1.5F, 1 / 1.5F, 1.0F}) {
       glass.eta = diffuse.eta = metal.eta = eta;
@@ -135,7 +135,7 @@ TEST(Scattering, WithoutLossKeepsAllLight) {
 TEST(Scattering, SmoothGlassSplitsByFresnel) {
   for (const double theta : {0.0, 0.7, 1.3}) {
     Bsdf glass = surface_seen_at(theta);
-    glass.transmission = 1;
+    glass.layers.transmission = 1;
     glass.alpha = 0;
     const double reflected = fresnel_dielectric(glass.view.z, glass.eta);
     EXPECT_NEAR(sampled(glass, 100000).reflected.x, reflected, 5e-3);
@@ -152,7 +152,7 @@ TEST(Scattering, ThroughGlassWeighsNoMoreThanItsColour) {
   for (const float eta : {1.01F, 1.5F, 1 / 1.01F, 1 / 1.5F}) {
     for (const double theta : {0.0, 0.8, 1.5}) {
       Bsdf glass = surface_seen_at(theta);
-      glass.transmission = 1;
+      glass.layers.transmission = 1;
       glass.eta = eta;
       EXPECT_LE(sampled(glass, 100000).largest_weight, 1.0001) << eta << ' ' << theta;
     }
@@ -169,7 +169,7 @@ TEST(Scattering, NeverGivesMoreThanItGets) {
             bsdf.alpha = roughness * roughness;
             bsdf.eta = eta;
             bsdf.metallic = metallic;
-            bsdf.transmission = transmission;
+            bsdf.layers.transmission = transmission;
             const Outcome outcome = sampled(bsdf, 20000);
             EXPECT_LE(outcome.reflected.x + outcome.through.x, 1.005)
                 << "roughness " << roughness << " theta " << theta << " eta " << eta << " metallic "
@@ -198,7 +198,7 @@ TEST(Scattering, AgreesWithTheFractionForLights) {
       for (const double theta : {0.0, 0.6, 1.2}) {
         Bsdf bsdf = surface_seen_at(theta);
         bsdf.metallic = kind.metallic;
-        bsdf.transmission = kind.transmission;
+        bsdf.layers.transmission = kind.transmission;
         bsdf.eta = kind.eta;
         bsdf.base = kind.base;
         bsdf.alpha = roughness * roughness;

@@ -54,8 +54,14 @@ FrameSet::FrameSet(const Scene& scene, int threads) : device_(threads) {
 }
 
 void FrameSet::nearest(const RayPacket& rays, HitPacket& hits) const {
+  Lanes<double> unbounded;
+  unbounded.fill(std::numeric_limits<double>::infinity());
+  nearest(rays, unbounded, hits);
+}
+
+void FrameSet::nearest(const RayPacket& rays, const Lanes<double>& s_max, HitPacket& hits) const {
   hits.frame.fill(-1);
-  hits.s.fill(std::numeric_limits<double>::infinity());
+  hits.s = s_max;
   for (int i = 0; i < static_cast<int>(frames_.size()); ++i) {
     frames_[static_cast<std::size_t>(i)].intersect(rays, i, hits);
   }

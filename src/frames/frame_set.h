@@ -20,6 +20,9 @@ class FrameSet {
   // double.
   void nearest(const RayPacket& rays, HitPacket& hits) const;
 
+  // Likewise, of what lies before `s_max`.
+  void nearest(const RayPacket& rays, const Lanes<double>& s_max, HitPacket& hits) const;
+
   // Likewise for the active lanes of `rays`; other lanes of `hits` stay. rest_k_t of a hit is the
   // step's time part there.
   void nearest(const MediumRayPacket& rays, HitPacket& hits) const;

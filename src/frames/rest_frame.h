@@ -66,6 +66,10 @@ class RestFrame {
   // hit by more than floats can tell apart here.
   double s_behind(const HitPacket& hits, int lane) const;
 
+  // What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on
+  // a surface is not behind it.
+  double noise_at_end() const { return noise_at_end_; }
+
   // Gives hits on one part of this frame, those of `group`, their s in double, and tells their events.
   // first: a lane of the group. by_clock: as exactly as clocks and textures ask for; else onto the plane
   // that Embree's floats make of the triangle, which is all that rays that leave it ask for.
@@ -135,8 +139,6 @@ class RestFrame {
   Mat3 rest_from_traversal_linear_{1}, traversal_from_rest_linear_{1};
   Vec3 rest_from_traversal_offset_{0};
   double traversal_scale_ = 1;  // the longest that a unit vector of the rest frame gets, about
-  // What a surface at a ray's very end may seem nearer by, in light-seconds here: a light that lies on
-  // a surface is not behind it.
   double noise_at_end_ = 0;
   bool octants_hold_ = true;          // rays of one octant stay so inside every instance
   bool traversal_is_turned_ = false;  // or scaled: the linear part is not the identity

@@ -164,6 +164,17 @@ void add_light(Listing& list, const Light& light, const std::string& key) {
   add_number(list, key + ".intensity", light.intensity);
   add_number(list, key + ".temperature", light.temperature);
   add_spectrum(list, light.spectrum, key + ".spectrum");
+  if (light.sky_map < 0) return;
+  list.add(key + ".sky_map", light.sky_map);
+  for (int i = 0; i < 3; ++i) {
+    list.add(fmt::format("{}.rest_from_map.{}", key, i), light.rest_from_map[i]);
+  }
+}
+
+void add_sky_map(Listing& list, const SkyMap& map, const std::string& key) {
+  Digest digest;
+  digest.add(std::span(map.pixels));
+  list.add(key, fmt::format("{} {} {}", map.width, map.height, digest.hex()));
 }
 
 void add_exposure(Listing& list, const ExposureSettings& exposure) {
@@ -214,6 +225,9 @@ std::string canonical_settings(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     add_texture(list, scene.textures[i], fmt::format("texture.{}", i));
+  }
+  for (std::size_t i = 0; i < scene.sky_maps.size(); ++i) {
+    add_sky_map(list, scene.sky_maps[i], fmt::format("sky_map.{}", i));
   }
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     list.add(fmt::format("function.{}", i), text_of(scene.functions[i]));

@@ -14,7 +14,7 @@ enum class LightKind : std::uint8_t {
   point,
   spot,
   sun,          // a plane wave; its wavefronts carry its clock as if they left its position
-  environment,  // the same radiance from everywhere, in its own rest frame
+  environment,  // radiance from infinity: the same from everywhere, or a map's, in its rest frame
 };
 
 // Turns a spot's direction about `axis` (unit, right-handed) once in `period` seconds of the
@@ -41,6 +41,10 @@ struct Light {
   // point, spot: W/sr; sun: W/m^2 across its direction, in its rest frame; environment: radiance.
   // Metres are scene lengths.
   TemporalNumber intensity{1.0F};
+  // environment: an index into Scene::sky_maps, whose radiance multiplies colour and intensity; -1:
+  // none. How the map is turned in the light's rest frame: a rotation.
+  int sky_map = -1;
+  Mat3 rest_from_map{1};
   std::string group;
 };
 

@@ -150,6 +150,7 @@ std::vector<std::string> validate(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) validate_mesh(mesh, faults);
   validate_materials(scene, faults);
   validate_textures(scene, faults);
+  for (const SkyMap& map : scene.sky_maps) validate_sky_map(map, faults);
   if (scene.camera_given && faults.empty()) validate_poses(scene, faults);
   for (std::size_t i = 0; i < scene.functions.size(); ++i) {
     for (const std::string& fault : temporal_faults(scene.functions[i])) {

@@ -12,6 +12,7 @@
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/settings.h"
+#include "scene/sky_map.h"
 #include "scene/texture.h"
 
 namespace restframe {
@@ -55,6 +56,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;
+  std::vector<SkyMap> sky_maps;
   std::vector<TemporalFunction> functions;
   // Where each function comes from, for messages ("scene.toml:12:3: material \"rods\": base_color");
   // empty where nothing is known.

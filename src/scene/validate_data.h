@@ -40,6 +40,7 @@ void validate_textures(const Scene& scene, std::vector<std::string>& faults);
 void validate_spectrum(const Scene& scene, const TemporalNumber& temperature,
                        const EmissionSpectrum& spectrum, const std::string& name,
                        std::vector<std::string>& faults);
+void validate_sky_map(const SkyMap& map, std::vector<std::string>& faults);
 // But for its worldline. `name` names it in faults.
 void validate_light(const Scene& scene, const Light& light, const std::string& name,
                     std::vector<std::string>& faults);

@@ -1,105 +1,116 @@
 #include "tracer/bsdf.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "tracer/bsdf_terms.h"
+#include "physics/clones.h"
+#include "tracer/bsdf_sample.h"
+#include "tracer/bsdf_view.h"
 
 namespace restframe {
 namespace {
 
-// Columns: two tangents and the normal (Duff and others 2017: no branch near the poles).
-glm::mat3 basis_around(const Vec3f& n) {
-  const float sign = std::copysign(1.0F, n.z);
-  const float a = -1.0F / (sign + n.z);
-  const float b = n.x * n.y * a;
-  return {Vec3f(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x),
-          Vec3f(b, sign + n.y * n.y * a, -n.y), n};
+// A lobe's choice. `exact`: no other lobe leads there, and this is its weight.
+struct Way {
+  Vec3f direction{0};
+  Vec3f weight{0};
+  bool exact = false, through = false;
+};
+
+Vec3f mirrored_view(const Bsdf& b, const Vec3f& microfacet) {
+  return 2.0F * glm::dot(b.view, microfacet) * microfacet - b.view;
 }
 
-Vec3f cosine_distributed(const Vec3f& normal, float u, float v) {
-  const float radius = std::sqrt(u);
-  const float phi = 2.0F * pi * v;
-  const Vec3f local(radius * std::cos(phi), radius * std::sin(phi),
-                    std::sqrt(std::max(0.0F, 1.0F - u)));
-  return basis_around(normal) * local;
+std::optional<Way> above(const Bsdf& b, const Vec3f& normal, const Way& way) {
+  const bool seen =
+      glm::dot(way.direction, b.facet) > 0.0F && glm::dot(way.direction, normal) > 0.0F;
+  return seen ? std::optional(way) : std::nullopt;
 }
 
-// Of the microfacets visible from `view`, the part that is also visible along `direction`
-// (height-correlated Smith).
-float shadowing(const Bsdf& b, const Vec3f& direction) {
-  const float lambda_view = smith_lambda(std::max(1e-4F, glm::dot(b.normal, b.view)), b.alpha);
-  const float lambda =
-      smith_lambda(std::max(1e-4F, std::abs(glm::dot(b.normal, direction))), b.alpha);
-  return (1.0F + lambda_view) / (1.0F + lambda_view + lambda);
+std::optional<Way> beyond(const Bsdf& b, const Way& way) {
+  const bool there =
+      glm::dot(way.direction, b.facet) < 0.0F && glm::dot(way.direction, b.normal) < 0.0F;
+  return there ? std::optional(way) : std::nullopt;
 }
 
-// A microfacet's normal, distributed as those visible from `view` (Heitz 2018).
-Vec3f visible_microfacet(const Bsdf& b, float u, float v) {
-  if (b.alpha < smallest_alpha) return b.normal;
-  const glm::mat3 basis = basis_around(b.normal);
-  const Vec3f local = b.view * basis;
-  const Vec3f stretched = glm::normalize(Vec3f(b.alpha * local.x, b.alpha * local.y, local.z));
-  const float radius = std::sqrt(u);
-  const float phi = 2.0F * pi * v;
-  const float x = radius * std::cos(phi);
-  const float half = 0.5F * (1.0F + stretched.z);
-  // The disc's half beyond the horizon of `stretched` is squeezed to what is seen of it. Its second
-  // axis must be the one that lies in the plane of view and normal.
-  const Vec3f across = stretched.z < 0.9999F ? glm::normalize(glm::cross(Vec3f(0, 0, 1), stretched))
-                                             : Vec3f(1, 0, 0);
-  const Vec3f along = glm::cross(stretched, across);
-  const float y = glm::mix(std::sqrt(std::max(0.0F, 1.0F - x * x)), radius * std::sin(phi), half);
-  const float z = std::sqrt(std::max(0.0F, 1.0F - x * x - y * y));
-  const Vec3f n = x * across + y * along + z * stretched;
-  return basis * glm::normalize(Vec3f(b.alpha * n.x, b.alpha * n.y, std::max(1e-6F, n.z)));
+std::optional<Way> reflect(const Bsdf& b, const ViewLobe& lobe, float u, float v) {
+  const Vec3f microfacet = visible_microfacet(b.normal, b.view, b.alpha, u, v);
+  const Vec3f reflectance = lobe.straight + lobe.grazing * schlick(lobe.cos_view);
+  return above(
+      b, b.normal,
+      {mirrored_view(b, microfacet), reflectance / lobe.reflects, b.alpha < smallest_alpha, false});
 }
 
-std::optional<Scattered> reflect_off(const Bsdf& b, const Vec3f& microfacet,
-                                     const Vec3f& reflectance) {
-  const Vec3f direction = 2.0F * glm::dot(b.view, microfacet) * microfacet - b.view;
-  if (glm::dot(direction, b.facet) <= 0.0F || glm::dot(direction, b.normal) <= 0.0F)
-    return std::nullopt;
-  const float visible = b.alpha < smallest_alpha ? 1.0F : shadowing(b, direction);
-  return Scattered{direction, reflectance * visible, false};
-}
-
-std::optional<Scattered> transmit(const Bsdf& b, const Vec3f& microfacet, const Vec3f& fraction) {
-  const auto direction = refracted(b.view, microfacet, b.eta);
-  if (!direction || glm::dot(*direction, b.facet) >= 0.0F || glm::dot(*direction, b.normal) >= 0.0F)
-    return std::nullopt;
-  const float visible = b.alpha < smallest_alpha ? 1.0F : shadowing(b, *direction);
-  return Scattered{*direction, fraction * visible, true};
-}
-
-// The fraction that a microfacet of a dielectric reflects.
-float reflectance_at(const Bsdf& b, const Vec3f& microfacet) {
-  return fresnel_dielectric(std::max(0.0F, glm::dot(b.view, microfacet)), b.eta);
-}
-
-// The surface's reflection, or what passes it. Each is chosen as often as it matters, so weights stay
-// near the colour.
-std::optional<Scattered> scatter_dielectric(const Bsdf& b, float lobe, float u, float v) {
-  // Towards something thinner some microfacets reflect all and others hardly anything: there the one
-  // that is met decides, or light would be made or lost. So it does in glass, where weights are then
-  // never above the colour.
-  const bool microfacet_decides = b.eta < 1.0F || b.transmission >= 1.0F;
-  const Vec3f met = microfacet_decides ? visible_microfacet(b, u, v) : b.normal;
-  const float reflectance = reflectance_at(b, met);
-  // A reflection that hardly ever happens would weigh too much when it does.
-  constexpr float least_reflectance = 1e-6F;
-  if (reflectance > least_reflectance && lobe < reflectance) {
-    const Vec3f microfacet = microfacet_decides ? met : visible_microfacet(b, u, v);
-    return reflect_off(b, microfacet, Vec3f(reflectance_at(b, microfacet) / reflectance));
+std::optional<Way> pass(const Bsdf& b, const Vec3f& microfacet, const Vec3f& weight) {
+  const bool exact = passes_exactly(b);
+  if (!b.layers.thin) {
+    const auto direction = refracted(b.view, exact ? b.normal : microfacet, b.eta);
+    return direction ? beyond(b, {*direction, weight, exact, true}) : std::nullopt;
   }
-  if ((lobe - reflectance) / (1.0F - reflectance) < b.transmission) {
-    const Vec3f microfacet = microfacet_decides ? met : visible_microfacet(b, u, v);
-    const float passing = 1.0F - reflectance_at(b, microfacet);
-    return transmit(b, microfacet, b.base * (passing / (1.0F - reflectance)));
+  if (exact) return beyond(b, {-b.view, weight, true, false});
+  const Vec3f reflected = mirrored_view(b, microfacet);
+  if (glm::dot(reflected, b.normal) <= 0.0F) return std::nullopt;
+  return beyond(b, {mirrored(reflected, b.normal), weight, false, false});
+}
+
+// The microfacet that is met decides, or light would be made or lost where some reflect all and others
+// hardly anything.
+std::optional<Way> meet_glass(const Bsdf& b, const ViewLayers& layers, float lobe, float u,
+                              float v) {
+  const Vec3f microfacet = visible_microfacet(b.normal, b.view, b.alpha, u, v);
+  const Vec3f reflectance = glass_reflectance(b, glm::dot(b.view, microfacet));
+  const float chance = average(reflectance);
+  const float scattered = layers.glass / layers.reaches;
+  if (lobe < chance) {
+    return above(b, b.normal,
+                 {mirrored_view(b, microfacet), reflectance * (scattered / chance),
+                  b.alpha < smallest_alpha, false});
   }
-  const Vec3f direction = cosine_distributed(b.normal, u, v);
-  if (glm::dot(direction, b.facet) <= 0.0F) return std::nullopt;
-  return Scattered{direction, b.base, false};
+  const float passing = (1.0F - largest(reflectance)) / (1.0F - chance);
+  return pass(b, microfacet, b.base * (scattered * passing));
+}
+
+std::optional<Way> reflect_off_coat(const Bsdf& b, const ViewLayers& layers, float u, float v) {
+  const BsdfLayers& l = b.layers;
+  const Vec3f microfacet = visible_microfacet(l.coat_normal, b.view, l.coat_alpha, u, v);
+  const float reflectance = layers.coat_gain * coat_reflectance(layers.cos_coat);
+  return above(b, l.coat_normal,
+               {mirrored_view(b, microfacet), Vec3f(reflectance / layers.coat),
+                l.coat_alpha < smallest_alpha, false});
+}
+
+// What number `at` in [0, 1) falls into, and where in it.
+struct Chooser {
+  float at;
+
+  bool takes(float chance) {
+    if (at < chance) {
+      at = std::min(at / chance, 1.0F - 0x1p-24F);
+      return true;
+    }
+    at -= chance;
+    return false;
+  }
+};
+
+std::optional<Way> choose(const Bsdf& b, const ViewLobe& lobe, const ViewLayers& layers,
+                          const Vec3f& numbers) {
+  const float u = numbers.y, v = numbers.z;
+  Chooser chooser{numbers.x};
+  if (chooser.takes(lobe.diffuses)) {
+    return above(b, b.normal, {cosine_distributed(b.normal, u, v), {}, false, false});
+  }
+  if (chooser.takes(lobe.reflects)) return reflect(b, lobe, u, v);
+  if (chooser.takes(layers.reaches)) return meet_glass(b, layers, chooser.at, u, v);
+  if (chooser.takes(layers.coat)) return reflect_off_coat(b, layers, u, v);
+  if (chooser.takes(layers.fibres)) {
+    return above(b, b.normal, {evenly_distributed(b.normal, u, v), {}, false, false});
+  }
+  return std::nullopt;
+}
+
+// What all lobes send there, over the chance that any of them leads there.
+std::optional<Scattered> weighed(const Way& way, const Fraction& there) {
+  if (way.exact) return Scattered{way.direction, way.weight, 0.0F, way.through};
+  if (there.fraction == Vec3f(0) || !(there.density > 0.0F)) return std::nullopt;
+  return Scattered{way.direction, there.fraction / there.density, there.density, way.through};
 }
 
 }  // namespace
@@ -112,11 +123,53 @@ std::optional<Vec3f> refracted(const Vec3f& view, const Vec3f& normal, float eta
 }
 
 std::optional<Scattered> scatter(const Bsdf& b, float lobe, float u, float v) {
-  if (lobe < b.metallic) {
-    const Vec3f microfacet = visible_microfacet(b, u, v);
-    return reflect_off(b, microfacet, schlick(b.base, glm::dot(b.view, microfacet)));
+  ViewLayers layers;
+  const ViewLobe lobes = view_lobe(b, facet_albedo_table(), layers);
+  const std::optional<Way> way = choose(b, lobes, layers, {lobe, u, v});
+  if (!way) return std::nullopt;
+  return weighed(*way, whole_fraction(b, lobes, layers, way->direction));
+}
+
+void scatter(const BsdfLanes& bsdf, const ViewLobeLanes& lobes, const Lanes<std::int32_t>& active,
+             const Vec3fLanes& numbers, ScatteredLanes& scattered) {
+  Lanes<Way> ways;
+  scattered.active.fill(0);
+  for (int i = 0; i < packet_size; ++i) {
+    const ViewLayers layers = bsdf.layered ? lobes.layers[i] : ViewLayers{};
+    const auto way =
+        active[i] != 0 ? choose(bsdf.at(i), lobes.at(i), layers, numbers.at(i)) : std::nullopt;
+    scattered.active[i] = way ? -1 : 0;
+    if (way) ways[i] = *way;
+    scattered.direction.set(i, ways[i].direction);
   }
-  return scatter_dielectric(b, (lobe - b.metallic) / (1.0F - b.metallic), u, v);
+  Vec3fLanes fraction;
+  Lanes<float> density;
+  scattered_fraction(bsdf, lobes, scattered.direction, fraction, density);
+  for (int i = 0; i < packet_size; ++i) {
+    if (scattered.active[i] == 0) continue;
+    const auto result = weighed(ways[i], {fraction.at(i), density[i]});
+    scattered.active[i] = result ? -1 : 0;
+    if (!result) continue;
+    scattered.weight.set(i, result->weight);
+    scattered.density[i] = result->density;
+    scattered.through[i] = result->through ? -1 : 0;
+  }
+}
+
+void BsdfLayersLanes::set(int i, const BsdfLayers& of_lane) {
+  transmission[i] = of_lane.transmission;
+  thin[i] = of_lane.thin ? 1 : 0;
+  coat[i] = of_lane.coat;
+  coat_alpha[i] = of_lane.coat_alpha;
+  coat_normal.set(i, of_lane.coat_normal);
+  sheen.set(i, of_lane.sheen);
+  sheen_alpha[i] = of_lane.sheen_alpha;
+}
+
+void BsdfLanes::set_layers(int lane, const BsdfLayers& of_lane) {
+  for (int i = 0; !layered && i < packet_size; ++i) layers.set(i, {});
+  layered = true;
+  layers.set(lane, of_lane);
 }
 
 }  // namespace restframe

@@ -1,54 +1,27 @@
-// What a surface scatters of light from a given direction: a sum over lobes.
+// What a surface scatters of light from a given direction, and how likely paths go there: sums over
+// lobes.
 
 #include "physics/clones.h"
 #include "tracer/bsdf.h"
-#include "tracer/bsdf_terms.h"
+#include "tracer/bsdf_view.h"
 
 namespace restframe {
 namespace {
 
-constexpr float least_cosine = 1e-4F;
-
-inline float reflected_fraction(float cos_theta, float eta) {
-  const float sin2_beyond = (1.0F - squared(cos_theta)) / squared(eta);
-  const float cos_beyond = std::sqrt(std::max(0.0F, 1.0F - sin2_beyond));
-  const float across = (cos_theta - eta * cos_beyond) / (cos_theta + eta * cos_beyond);
-  const float along = (eta * cos_theta - cos_beyond) / (eta * cos_theta + cos_beyond);
-  const float partial = 0.5F * (squared(across) + squared(along));
-  return sin2_beyond >= 1.0F ? 1.0F : partial;
+void store(ViewLobeLanes& lobes, int i, const ViewLobe& lobe) {
+  lobes.diffuse.set(i, lobe.diffuse);
+  lobes.straight.set(i, lobe.straight);
+  lobes.grazing.set(i, lobe.grazing);
+  lobes.cos_view[i] = lobe.cos_view;
+  lobes.lambda_view[i] = lobe.lambda_view;
+  lobes.diffuses[i] = lobe.diffuses;
+  lobes.reflects[i] = lobe.reflects;
 }
 
-inline ViewLobe view_lobe(const Bsdf& b) {
-  const float cos_view = glm::dot(b.normal, b.view);
-  const float below = (1.0F - b.metallic) * (1.0F - b.transmission) *
-                      (1.0F - reflected_fraction(std::max(0.0F, cos_view), b.eta));
-  return {b.base * (below / pi), cos_view, smith_lambda(std::max(least_cosine, cos_view), b.alpha)};
-}
-
-// The microfacets' reflection (GGX, height-correlated Smith), with the light's cosine.
-inline Vec3f facet_reflection(const Bsdf& b, const ViewLobe& lobe, float cos_light,
-                              const Vec3f& direction) {
-  const Vec3f between = b.view + direction;
-  const Vec3f microfacet = between / std::sqrt(glm::dot(between, between));
-  const float cos_half = std::max(0.0F, glm::dot(b.view, microfacet));
-  const float lambda = smith_lambda(std::max(least_cosine, cos_light), b.alpha);
-  const float facets = ggx_density(glm::dot(b.normal, microfacet), b.alpha) /
-                       ((1.0F + lobe.lambda_view + lambda) * 4.0F * lobe.cos_view);
-  const Vec3f reflectance = b.metallic * schlick(b.base, cos_half) +
-                            Vec3f((1.0F - b.metallic) * reflected_fraction(cos_half, b.eta));
-  return reflectance * facets;
-}
-
-inline Vec3f fraction(const Bsdf& b, const ViewLobe& lobe, const Vec3f& direction) {
-  const float cos_light = glm::dot(b.normal, direction);
-  const Vec3f diffuse = lobe.diffuse * cos_light;
-  const Vec3f facets = facet_reflection(b, lobe, cos_light, direction);
-  const bool rough = b.alpha >= smallest_alpha;
-  const float above_facet = glm::dot(b.facet, direction);
-  const bool seen = (cos_light > 0.0F) & (lobe.cos_view > 0.0F) & (above_facet > 0.0F);
-  return {seen ? diffuse.x + (rough ? facets.x : 0.0F) : 0.0F,
-          seen ? diffuse.y + (rough ? facets.y : 0.0F) : 0.0F,
-          seen ? diffuse.z + (rough ? facets.z : 0.0F) : 0.0F};
+Fraction whole(const Bsdf& b, const Vec3f& direction) {
+  ViewLayers layers;
+  const ViewLobe lobe = view_lobe(b, facet_albedo_table(), layers);
+  return whole_fraction(b, lobe, layers, direction);
 }
 
 }  // namespace
@@ -58,24 +31,48 @@ float fresnel_dielectric(float cos_theta, float eta) {
 }
 
 Vec3f scattered_fraction(const Bsdf& bsdf, const Vec3f& direction) {
-  return fraction(bsdf, view_lobe(bsdf), direction);
+  return whole(bsdf, direction).fraction;
+}
+
+float scattering_density(const Bsdf& bsdf, const Vec3f& direction) {
+  return whole(bsdf, direction).density;
 }
 
 RESTFRAME_CLONES void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
+  const FacetAlbedoTable& table = facet_albedo_table();
+  if (bsdf.layered) {
+    for (int i = 0; i < packet_size; ++i) {
+      store(lobes, i, view_lobe(bsdf.at(i), table, lobes.layers[i]));
+    }
+    return;
+  }
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const ViewLobe lobe = view_lobe(bsdf.at(i));
-    lobes.diffuse.set(i, lobe.diffuse);
-    lobes.cos_view[i] = lobe.cos_view;
-    lobes.lambda_view[i] = lobe.lambda_view;
+    const Bsdf b = bsdf.plain_at(i);
+    const float cos_view = std::max(least_cosine, glm::dot(b.normal, b.view));
+    ViewLobe lobe = view_weights(b, 1.0F, facet_albedo(table, cos_view, b.alpha));
+    share_chances(lobe);
+    store(lobes, i, lobe);
   }
 }
 
 RESTFRAME_CLONES void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
-                                         const Vec3fLanes& direction, Vec3fLanes& result) {
+                                         const Vec3fLanes& direction, Vec3fLanes& fraction,
+                                         Lanes<float>& density) {
+  if (bsdf.layered) {
+    for (int i = 0; i < packet_size; ++i) {
+      const Fraction there =
+          whole_fraction(bsdf.at(i), lobes.at(i), lobes.layers[i], direction.at(i));
+      fraction.set(i, there.fraction);
+      density[i] = there.density;
+    }
+    return;
+  }
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    result.set(i, fraction(bsdf.at(i), lobes.at(i), direction.at(i)));
+    const Fraction there = plain_fraction(bsdf.plain_at(i), lobes.at(i), direction.at(i));
+    fraction.set(i, there.fraction);
+    density[i] = there.density;
   }
 }
 

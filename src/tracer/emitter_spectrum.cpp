@@ -197,14 +197,18 @@ Vec3f EmitterSpectrum::color(const Vec3f& filter, float kelvin) const {
 }
 
 SceneSpectra::SceneSpectra(const Scene& scene)
-    : shifts(scene.render.doppler), observer(scene.render.observe), table(SpectrumTable::get()) {
+    : shifts(scene.render.doppler),
+      observer(scene.render.observe),
+      light_count(scene.lights.size()),
+      table(SpectrumTable::get()) {
   for (const Material& material : scene.materials) {
-    materials.emplace_back(material.emission_temperature, material.emission_spectrum);
-    has_lines = has_lines || materials.back().has_lines();
+    all.emplace_back(material.emission_temperature, material.emission_spectrum);
   }
-  for (const Light& light : scene.lights) {
-    lights.emplace_back(light.temperature, light.spectrum);
-    has_lines = has_lines || lights.back().has_lines();
+  for (const Light& light : scene.lights) all.emplace_back(light.temperature, light.spectrum);
+  matters = shifts;
+  for (const EmitterSpectrum& spectrum : all) {
+    has_lines = has_lines || spectrum.has_lines();
+    matters = matters || spectrum.is_own();
   }
 }
 

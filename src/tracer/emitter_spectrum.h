@@ -2,6 +2,8 @@
 
 // The spectra of what emits, ready for the ray path.
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -22,6 +24,7 @@ class EmitterSpectrum {
 
   // Then a colour is its light, and nothing need be done where light is not followed by wavelength.
   bool is_daylight() const { return kind_ == Kind::daylight && broad_lines_.empty(); }
+  bool is_own() const { return !is_daylight(); }
   bool has_lines() const { return !lines_.empty(); }
 
   // Spectral radiance but for the lines; `table` holds SpectrumTable's values there.
@@ -82,11 +85,22 @@ class ShiftedDaylight {
 struct SceneSpectra {
   explicit SceneSpectra(const Scene& scene);
 
-  bool shifts;  // light is followed by wavelength, which shifts
+  // Of the materials, then of the lights.
+  const EmitterSpectrum& operator[](std::int32_t index) const {
+    return all[static_cast<std::size_t>(index)];
+  }
+  std::int32_t of_material(std::int32_t material) const { return material; }
+  std::int32_t of_light(std::ptrdiff_t light) const {
+    return static_cast<std::int32_t>(all.size() - light_count) + static_cast<std::int32_t>(light);
+  }
+
+  bool shifts;           // light is followed by wavelength, which shifts
+  bool matters = false;  // or else: something has a spectrum of its own
+  bool has_lines = false;
   Observer observer;
-  std::vector<EmitterSpectrum> materials, lights;
   EmitterSpectrum daylight;
-  bool has_lines = false;  // any of them
+  std::vector<EmitterSpectrum> all;
+  std::size_t light_count;
   const SpectrumTable& table;
 };
 

@@ -16,6 +16,7 @@ struct LightPlace {
   AnchoredFrame<in::LightRest> frame;
   Boost<in::World, in::LightRest> world_from_light;
   double clock_at_anchor = 0;
+  const SkyMap* sky_map = nullptr;  // of an environment, if it has one
 };
 std::vector<LightPlace> light_places(const Scene& scene);
 
@@ -34,7 +35,9 @@ struct IncidentLanes {
   Vec3fLanes direction;          // unit, towards the light, in the surface's rest frame
   Vec3fLanes irradiance;         // of a surface across it there, times the emitter's factor
   Lanes<double> omega;  // the light's frequency in the light's rest frame over that in the camera
-  Lanes<float> kelvin;  // of a light that has a temperature
+  // Where spectra matter: whose it is (an index into SceneSpectra), and its temperature, if it has one.
+  Lanes<std::int32_t> spectrum;
+  Lanes<float> kelvin;
   Lanes<std::int32_t> active;
 };
 
@@ -48,6 +51,10 @@ struct Irradiating {
 // where its spot or clock is dark.
 void incident(const LightPlace& place, const EventLanes<in::World>& event, const LitLanes& lit,
               const Irradiating& settings, TemporalEvaluator& evaluator, IncidentLanes& incident);
+
+// What an environment radiates in a direction (unit, its rest frame), when its clock shows `clock`.
+Vec3f sky_radiance(const LightPlace& place, const Vec3& direction, double clock,
+                   TemporalEvaluator& evaluator);
 
 // Radiance from an environment along a ray, times the emitter's factor.
 Vec3f environment_radiance(const LightPlace& place, const Event<in::World>& origin,

@@ -5,17 +5,6 @@
 #include "tracer/path_walk.h"
 
 namespace restframe {
-namespace {
-
-constexpr std::uint32_t most_layers = 1000;
-constexpr float least_light = 1e-4F;  // what is dimmed below this fraction is dark
-
-// Of a light with emission lines: colours before they became those of the paths' wavelengths.
-struct LineLight {
-  Vec3fLanes color, scattered;
-};
-
-}  // namespace
 
 // Where all surfaces rest in the world, nobody asks for their boosts.
 void PathWalk::find_rest_frames(LitLanes& lit) const {
@@ -39,27 +28,54 @@ void PathWalk::add_lights() {
   ViewLobeLanes lobes;
   view_lobes(vertices_.bsdf, lobes);
   for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
+  if (!stage_.emitters.empty()) add_emitters(lit, lobes);
+  for (const Environment& sky : stage_.environments) {
+    if (sky.is_sampled) add_sky(sky, lit, lobes);
+  }
 }
 
 RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLanes& lit,
                                           const ViewLobeLanes& lobes) {
-  const HitEvents& at = vertices_.at;
   IncidentLanes from_light;
-  incident(light, at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},
+  incident(light, vertices_.at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},
            evaluator_, from_light);
+  if (stage_.spectra.matters) from_light.spectrum.fill(stage_.spectrum_of(light));
+  Vec3fLanes fraction;
+  Lanes<float> by_chance;
+  scattered_fraction(vertices_.bsdf, lobes, from_light.direction, fraction, by_chance);
+  darken_insides(from_light);
+  add_arriving(from_light, lit, fraction, ShadowKind::of_lamps);
+}
+
+// What comes from below a surface has come through a body, whose surface refracts it: paths find such
+// light by chance alone.
+void PathWalk::darken_insides(IncidentLanes& from) const {
+  const BsdfLanes& bsdf = vertices_.bsdf;
+  if (!bsdf.layered) return;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    const bool below = glm::dot(bsdf.facet.at(lane), from.direction.at(lane)) <= 0.0F;
+    if (below && bsdf.layers.thin[lane] == 0) from.active[lane] = 0;
+  }
+}
+
+// fraction: that the vertices scatter towards the paths, of light from there.
+RESTFRAME_CLONES void PathWalk::add_arriving(const IncidentLanes& from_light, const LitLanes& lit,
+                                             const Vec3fLanes& fraction, ShadowKind kind) {
+  const HitEvents& at = vertices_.at;
+  const Vec3fLanes *irradiance = &from_light.irradiance, *scattered = &fraction;
+  ArrivingLanes by_lane;
+  if (stage_.spectra.matters) {
+    by_wavelength(from_light, fraction, by_lane);
+    irradiance = &by_lane.irradiance;
+    scattered = &by_lane.fraction;
+  }
+  const bool has_lines = follows_lines();
   Vec3fLanes arriving;
-  scattered_fraction(vertices_.bsdf, lobes, from_light.direction, arriving);
-  const bool has_lines = follows_lines() && stage_.spectrum_of(light).has_lines();
-  LineLight line_light;
-  if (has_lines) line_light = {from_light.irradiance, arriving};
-  light_by_wavelength(light, from_light);
-  if (stage_.spectra.shifts) to_wavelengths(from_light.active, arriving);
   RayPacket shadows;
   shadows.coherent = false;  // they begin wherever the paths are
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const Vec3f light_of_lane =
-        arriving.at(i) * from_light.irradiance.at(i) * paths_.throughput.at(i);
+    const Vec3f light_of_lane = scattered->at(i) * irradiance->at(i) * paths_.throughput.at(i);
     arriving.set(i, light_of_lane);
     const bool dark =
         (light_of_lane.x == 0.0F) & (light_of_lane.y == 0.0F) & (light_of_lane.z == 0.0F);
@@ -72,7 +88,7 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
                            shadows.s_min);
   const Lanes<std::int32_t> reached = shadows.active;
   Lanes<float> left;
-  let_through(shadows, from_light.s_light, left);
+  let_through(shadows, from_light.s_light, kind, left);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const float left_of_lane = left[i];
@@ -81,51 +97,7 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
     paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
     paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;
   }
-  for (int i = 0; has_lines && i < packet_size; ++i) {
-    if (reached[i] == 0 || left[i] <= 0.0F) continue;
-    const Vec3f scattered = line_light.scattered.at(i);
-    receive_lines(i, stage_.spectrum_of(light), line_light.color.at(i) * left[i],
-                  from_light.omega[i], &scattered);
-  }
-}
-
-// The fraction that is left of light by all that is in its way.
-void PathWalk::let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left) {
-  left.fill(1.0F);
-  if (stage_.has_see_through) return dim(shadows, s_max, left);
-  Lanes<std::int32_t> blocked;
-  stage_.frames.find_blocked(shadows, s_max, blocked);
-#pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) left[i] = blocked[i] != 0 ? 0.0F : 1.0F;
-}
-
-// By layer after layer of what may be seen through.
-void PathWalk::dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left) {
-  HitPacket hits;
-  SurfaceLanes surfaces;
-  bool passing = true;
-  for (std::uint32_t layer = 0; passing && layer < most_layers; ++layer) {
-    stage_.frames.nearest(shadows, hits);
-    surfaces_at(stage_.scene, stage_.frames, hits, shadows.active, surfaces);
-    passing = false;
-    for (int lane = 0; lane < packet_size; ++lane) {
-      if (shadows.active[lane] == 0) continue;
-      shadows.active[lane] = 0;
-      if (hits.frame[lane] < 0) continue;
-      stage_.frames.refine(hits, lane);
-      const double s_behind = stage_.frames.frame(hits.frame[lane]).s_behind(hits, lane);
-      if (s_behind >= s_max[lane]) continue;
-      const MetSurface met{stage_.scene, stage_.frames, surfaces, hits, lane};
-      const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces.object[lane])];
-      const Vec4f texture = texel(met, met.material().base_color_texture);
-      left[lane] *= 1.0F - opacity(met, texture.w, clock_at(place, hits, lane), evaluator_);
-      if (left[lane] < least_light) left[lane] = 0.0F;
-      if (left[lane] == 0.0F) continue;
-      shadows.s_min[lane] = s_behind;
-      shadows.active[lane] = -1;
-      passing = true;
-    }
-  }
+  if (has_lines) receive_lines(from_light, fraction, reached, left);
 }
 
 }  // namespace restframe

@@ -50,6 +50,7 @@ void PathWalk::scatter_on(int lane) {
   if (!scattered) return;
   weigh(lane, scattered->weight);
   if (!survives(lane)) return;
+  set_chosen(lane, in_medium(lane) || scattered->through ? 0.0F : scattered->density);
   if (scattered->through && surfaces_.back[lane] != 0) {
     media_[lane].leave(surfaces_.object[lane], surfaces_.material[lane]);
   } else if (scattered->through) {

@@ -77,12 +77,6 @@ void PathWalk::find_local_spectra() {
   }
 }
 
-void PathWalk::to_wavelengths(const Lanes<std::int32_t>& active, Vec3fLanes& colors) const {
-  for (int lane = 0; lane < packet_size; ++lane) {
-    if (active[lane] != 0) colors.set(lane, by_wavelength(lane, colors.at(lane)));
-  }
-}
-
 Vec3f PathWalk::light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
                                     float kelvin, double omega) const {
   if (!stage_.spectra.shifts) return spectrum.color(color, kelvin);
@@ -98,17 +92,38 @@ Vec3f PathWalk::light_by_wavelength(int lane, const EmitterSpectrum& spectrum, c
   return light;
 }
 
-void PathWalk::light_by_wavelength(const LightPlace& light, IncidentLanes& from_light) const {
-  const EmitterSpectrum& spectrum = stage_.spectrum_of(light);
-  if (spectrum.is_daylight() && !stage_.spectra.shifts) return;
-  const TemporalNumber& temperature = light.light->temperature;
+void PathWalk::by_wavelength(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                             ArrivingLanes& arriving) const {
   for (int lane = 0; lane < packet_size; ++lane) {
     if (from_light.active[lane] == 0) continue;
-    const float kelvin =
-        temperature.function == no_function ? temperature.value : from_light.kelvin[lane];
+    const EmitterSpectrum& spectrum = stage_.spectra[from_light.spectrum[lane]];
     const Vec3f color = from_light.irradiance.at(lane);
-    from_light.irradiance.set(
-        lane, light_by_wavelength(lane, spectrum, color, kelvin, from_light.omega[lane]));
+    arriving.irradiance.set(lane,
+                            light_by_wavelength(lane, spectrum, color, from_light.kelvin[lane],
+                                                from_light.omega[lane]));
+    arriving.fraction.set(lane, by_wavelength(lane, fraction.at(lane)));
+  }
+}
+
+void PathWalk::receive_from_sky(const Environment& sky, int lane, const Vec3f& color) {
+  if (!stage_.spectra.matters) return receive(lane, color);
+  const LightPlace& place = sky.place;
+  const EmitterSpectrum& spectrum = stage_.spectra[stage_.spectrum_of(place)];
+  const double omega = -place.frame.from_world(rays_.k.at(lane)).t;
+  const double clock = place.frame(rays_.origin.at(lane)).t + place.clock_at_anchor;
+  const float kelvin = evaluator_(place.light->temperature, clock);
+  receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega));
+  if (follows_lines()) receive_lines(lane, spectrum, color, omega);
+}
+
+// What is left of it on its way to the vertices that are reached.
+void PathWalk::receive_lines(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                             const Lanes<std::int32_t>& reached, const Lanes<float>& left) {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (reached[lane] == 0 || left[lane] <= 0.0F) continue;
+    const Vec3f scattered = fraction.at(lane);
+    receive_lines(lane, stage_.spectra[from_light.spectrum[lane]],
+                  from_light.irradiance.at(lane) * left[lane], from_light.omega[lane], &scattered);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scene/error.h"
+#include "tracer/emitter_power.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -12,23 +13,29 @@ namespace {
 
 constexpr std::uint64_t no_crossing = ~std::uint64_t{0};
 
-bool emits(const Material& m) {
-  const bool dark =
-      (m.emission.value == Vec3f(0) && m.emission.function == no_function) ||
-      (m.emission_strength.value == 0.0F && m.emission_strength.function == no_function);
-  return m.unlit || !dark;
-}
-
 }  // namespace
 
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
-    : stage_{scene, frames, object_places(scene, frames), {}, {}, {}, false, false,
-             false, false,  SceneSpectra(scene)},
+    : stage_{scene,
+             frames,
+             object_places(scene, frames),
+             {},
+             {},
+             environments(scene),
+             Emitters(scene, frames),
+             false,
+             false,
+             false,
+             false,
+             false,
+             SceneSpectra(scene)},
       crossed_media_(no_crossing) {
   for (const LightPlace& place : light_places(scene)) {
-    const bool surrounds = place.light->kind == LightKind::environment;
-    (surrounds ? stage_.environments : stage_.lights).push_back(place);
+    if (place.light->kind != LightKind::environment) stage_.lights.push_back(place);
   }
+  stage_.has_lights = !stage_.lights.empty() || !stage_.emitters.empty() ||
+                      std::any_of(stage_.environments.begin(), stage_.environments.end(),
+                                  [](const Environment& sky) { return sky.is_sampled; });
   stage_.has_clocks =
       !scene.functions.empty() || std::any_of(scene.lights.begin(), scene.lights.end(),
                                               [](const Light& l) { return l.sweep.has_value(); });

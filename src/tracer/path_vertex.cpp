@@ -43,19 +43,21 @@ void PathWalk::meet() {
   if (stage_.spectra.shifts) find_local_spectra();
   ShineLanes shines;
   vertices_.active.fill(0);
+  vertices_.bsdf.layered = false;
   for_each_group(surfaces_.material, met_, [&](int first, const Lanes<std::int32_t>& group) {
     if (plain(first).always) return set_plain_material(plain(first), group, shines);
     for (int lane = 0; lane < packet_size; ++lane) {
       if (group[lane] != 0) set_changing_material(lane, shines);
     }
   });
+  if (shines.any || shines.any_own) weigh_emission(shines);
   if (shines.any) add_emission(shines);
   for (int lane = 0; shines.any_own && lane < packet_size; ++lane) {
     if (met_[lane] != 0) add_own_spectrum(lane, shines);
   }
   if (!any_active(vertices_.active)) return;
   set_geometry();
-  if (!stage_.lights.empty()) add_lights();
+  if (stage_.has_lights) add_lights();
   for (int lane = 0; lane < packet_size; ++lane) {
     const bool goes_on =
         stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
@@ -97,9 +99,10 @@ RESTFRAME_CLONES void PathWalk::set_plain_material(const PlainMaterial& material
     paths_.scatterings[i] -= scatters;
     set_in(group, i, shines.radiance, plain.emission);
     set_in(group, i, bsdf.metallic, plain.metallic);
-    set_in(group, i, bsdf.transmission, 0.0F);
     set_in(group, i, bsdf.alpha, plain.alpha);
     set_in(group, i, bsdf.eta, plain.ior);
+    set_in(group, i, bsdf.specular, plain.specular);
+    set_in(group, i, bsdf.specular_color, plain.specular_color);
   }
   const bool colored = surfaces_.colored;
 #pragma GCC ivdep
@@ -134,7 +137,11 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   BsdfLanes& bsdf = vertices_.bsdf;
   bsdf.base.set(lane, base);
   bsdf.metallic[lane] = fraction(evaluator_(material.metallic, clock)) * finish.z;
-  bsdf.transmission[lane] = fraction(evaluator_(material.transmission, clock));
+  bsdf.specular[lane] = 1.0F;
+  bsdf.specular_color.set(lane, Vec3f(1));
+  BsdfLayers layers;
+  layers.transmission = fraction(evaluator_(material.transmission, clock));
+  if (layers.transmission > 0.0F) bsdf.set_layers(lane, layers);
   bsdf.alpha[lane] = roughness * roughness;
   bsdf.eta[lane] = index_ratio(lane, met, clock);
 }
@@ -163,7 +170,7 @@ void PathWalk::add_own_spectrum(int lane, const ShineLanes& shines) {
       shines.own.at(lane) * emitter_factor(stage_.scene.render.beaming, 1.0 / omega);
   if (color == Vec3f(0)) return;
   const auto material = static_cast<std::size_t>(surfaces_.material[lane]);
-  const EmitterSpectrum& spectrum = stage_.spectra.materials[material];
+  const EmitterSpectrum& spectrum = stage_.spectra.all[material];
   receive(lane, light_by_wavelength(lane, spectrum, color, shines.kelvin[lane], omega));
   if (follows_lines()) receive_lines(lane, spectrum, color, omega);
 }

@@ -22,6 +22,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   paths_.coverage.fill(0.0F);
   paths_.scatterings.fill(0);
   if (stage.spectra.shifts) choose_wavelengths();
+  chosen_.density.fill(0.0F);
   if (data_ != nullptr) data_->fill({});
 }
 
@@ -73,17 +74,10 @@ void PathWalk::miss() {
 }
 
 void PathWalk::add_environments(int lane) {
-  for (const LightPlace& environment : stage_.environments) {
-    const Event<in::World> origin = rays_.origin.at(lane);
-    const WaveVector<in::World> k = rays_.k.at(lane);
-    const Vec3f color =
-        environment_radiance(environment, origin, k, stage_.scene.render.beaming, evaluator_);
-    const EmitterSpectrum& spectrum = stage_.spectrum_of(environment);
-    const double omega = -environment.frame.from_world(k).t;
-    const double clock = environment.frame(origin).t + environment.clock_at_anchor;
-    const float kelvin = evaluator_(environment.light->temperature, clock);
-    receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega));
-    if (follows_lines()) receive_lines(lane, spectrum, color, omega);
+  for (const Environment& sky : stage_.environments) {
+    const Vec3f radiance = environment_radiance(sky.place, rays_.origin.at(lane), rays_.k.at(lane),
+                                                stage_.scene.render.beaming, evaluator_);
+    receive_from_sky(sky, lane, radiance * share_of_sky(sky, lane));
     paths_.coverage[lane] = 1;
   }
 }

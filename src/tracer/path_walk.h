@@ -5,7 +5,9 @@
 // from them (path_scatter.cpp).
 
 #include "tracer/bsdf.h"
+#include "tracer/emitter_points.h"
 #include "tracer/emitter_spectrum.h"
+#include "tracer/environment.h"
 #include "tracer/light_sampling.h"
 #include "tracer/line_history.h"
 #include "tracer/medium_stack.h"
@@ -22,17 +24,24 @@ struct PathStage {
   const FrameSet& frames;
   std::vector<ObjectPlace> places;
   std::vector<PlainMaterial> plain;  // a material each
-  std::vector<LightPlace> lights, environments;
-  bool has_emitters = false;     // surfaces or environments: paths meet them by chance only
+  std::vector<LightPlace> lights;    // without size: paths never meet them by chance
+  std::vector<Environment> environments;
+  Emitters emitters;
+  bool has_lights = false;       // something to look for light of at every vertex
+  bool has_emitters = false;     // surfaces or environments that paths may meet
   bool has_see_through = false;  // materials that let light pass straight on
   bool has_clocks = false;       // something that changes over time
   bool has_media = false;        // materials that light can be inside of
   SceneSpectra spectra;
 
-  const EmitterSpectrum& spectrum_of(const LightPlace& place) const {
-    return spectra.lights[static_cast<std::size_t>(place.light - scene.lights.data())];
+  std::int32_t spectrum_of(const LightPlace& place) const {
+    return spectra.of_light(place.light - scene.lights.data());
   }
 };
+
+// What light meets on its way to a surface: lamps without size are hidden by back faces, too; what
+// paths could also meet is seen as paths see it.
+enum class ShadowKind : std::uint8_t { of_lamps, as_paths_see };
 
 // Objects of two velocities, of which light found one inside the other; -1: none.
 struct MediumCrossing {
@@ -72,6 +81,13 @@ class PathWalk {
     Lanes<std::array<Vec4f, 3>> local;
     Vec3fLanes lines;  // light of emission lines, linear Rec. 709
   };
+  // How the paths' last scatterings chose their directions.
+  struct ChosenLanes {
+    // Per steradian in the rest frame there; 0 where lights were not looked for in that direction: after
+    // mirrors, into and out of media, and before the first.
+    Lanes<float> density;
+    Lanes<double> omega;  // the light's frequency there
+  };
   // What shines towards the paths from what they have met, before the emitter's factor: D65 light of
   // a colour, and colours of light of the materials' own spectra.
   struct ShineLanes {
@@ -97,6 +113,7 @@ class PathWalk {
   bool enters_other_frame(int lane);
   void miss();
   void add_environments(int lane);
+  void receive_from_sky(const Environment& sky, int lane, const Vec3f& color);
   void stop_or_pass();
   void stop_or_pass(int lane);
   void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
@@ -121,8 +138,27 @@ class PathWalk {
   void add_lights();
   void find_rest_frames(LitLanes& lit) const;
   void add_light(const LightPlace& light, const LitLanes& lit, const ViewLobeLanes& lobes);
-  void let_through(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
-  void dim(RayPacket& shadows, const Lanes<double>& s_max, Lanes<float>& left);
+  void add_arriving(const IncidentLanes& from_light, const LitLanes& lit,
+                    const Vec3fLanes& fraction, ShadowKind kind);
+  void let_through(RayPacket& shadows, const Lanes<double>& s_max, ShadowKind kind,
+                   Lanes<float>& left);
+  void dim(RayPacket& shadows, const Lanes<double>& s_max, ShadowKind kind, Lanes<float>& left);
+  bool stops_all(const SurfaceLanes& surfaces, int lane) const;
+  float stopped(const MetSurface& met, ShadowKind kind);
+
+  void add_emitters(const LitLanes& lit, const ViewLobeLanes& lobes);
+  void set_radiance(const EmitterPoints& points, const PointsSeen& seen, IncidentLanes& from);
+  void set_spectrum(const MetSurface& met, const PointsSeen& seen, IncidentLanes& from);
+  Vec3f shine(const MetSurface& met, double rest_t);
+  void add_sky(const Environment& sky, const LitLanes& lit, const ViewLobeLanes& lobes);
+  void add_sampled(IncidentLanes& from, const Lanes<double>& density, const LitLanes& lit,
+                   const ViewLobeLanes& lobes);
+  void darken_insides(IncidentLanes& from) const;
+  void set_chosen(int lane, float density);
+  float share_of_chance(int lane, double light_density) const;
+  float share_of_sky(const Environment& sky, int lane) const;
+  float share_of_emitter(int lane) const;
+  void weigh_emission(ShineLanes& shines) const;
 
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
@@ -149,12 +185,18 @@ class PathWalk {
     return {glm::dot(Vec3f(local[0]), color), glm::dot(Vec3f(local[1]), color),
             glm::dot(Vec3f(local[2]), color)};
   }
-  void to_wavelengths(const Lanes<std::int32_t>& active, Vec3fLanes& colors) const;
+  // What arrives, and which part of it is scattered, as the paths' lanes have it.
+  struct ArrivingLanes {
+    Vec3fLanes irradiance, fraction;
+  };
+  void by_wavelength(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                     ArrivingLanes& arriving) const;
+  void receive_lines(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                     const Lanes<std::int32_t>& reached, const Lanes<float>& left);
   // An emitter's light of a colour, which is any factors times the colour, as the path's lanes have
   // it. omega: its frequency in the emitter's rest frame over that in the camera.
   Vec3f light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
                             float kelvin, double omega) const;
-  void light_by_wavelength(const LightPlace& light, IncidentLanes& from_light) const;
   bool follows_lines() const { return stage_.spectra.shifts && stage_.spectra.has_lines; }
   // The lines of an emitter's light of a colour: they are not among the path's wavelengths. What the
   // surface where the path is scatters of it is `scattered`, a colour, if light comes by way of it.
@@ -173,6 +215,7 @@ class PathWalk {
   SurfaceDataLanes* data_;
   std::uint32_t round_ = 0;  // surfaces met so far
   PathLanes paths_;
+  ChosenLanes chosen_;
   WavelengthLanes by_wavelength_;
   LineHistory history_;
   Lanes<MediumStack> media_;

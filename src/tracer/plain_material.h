@@ -15,6 +15,8 @@ struct PlainMaterial {
   float metallic = 0;
   float alpha = 1;  // roughness squared
   float ior = 1.5F;
+  float specular = 1;
+  Vec3f specular_color{1};
 };
 
 PlainMaterial plain_material(const Material& material);

@@ -70,7 +70,7 @@ Vec3f Preview::as_seen(const Vec3f& color, const Met& met) const {
 Vec3f Preview::own_spectrum(const Met& met, const Vec3f& filter, double clock,
                             TemporalEvaluator& evaluator) const {
   const auto index = static_cast<std::size_t>(met.surfaces.material[met.lane]);
-  const EmitterSpectrum& spectrum = spectra_.materials[index];
+  const EmitterSpectrum& spectrum = spectra_.all[index];
   const float kelvin = evaluator(scene_.materials[index].emission_temperature, clock);
   if (!spectra_.shifts) return spectrum.color(filter, kelvin);
   return spectrum.seen(spectra_.observer, filter, kelvin, doppler_at(met.hits, met.lane));

@@ -24,6 +24,14 @@ enum class Dimension : std::uint32_t {
   direction_u,
   direction_v,
   survival,
+  emitter_patch,
+  emitter_patch_digits,
+  emitter_triangle,
+  emitter_triangle_digits,
+  emitter_u,
+  emitter_v,
+  sky_u,
+  sky_v,
   wavelength
 };
 
