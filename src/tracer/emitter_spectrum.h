@@ -23,7 +23,7 @@ class EmitterSpectrum {
   EmitterSpectrum(const TemporalNumber& temperature, const EmissionSpectrum& spectrum);
 
   // Then a colour is its light, and nothing need be done where light is not followed by wavelength.
-  bool is_daylight() const { return kind_ == Kind::daylight && broad_lines_.empty(); }
+  bool is_daylight() const { return kind_ == Kind::daylight; }
   bool is_own() const { return !is_daylight(); }
   bool has_lines() const { return !lines_.empty(); }
 
