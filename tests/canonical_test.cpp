@@ -32,6 +32,9 @@ Scene base() {
   scene.objects = {object};
   scene.lights.resize(2);
   scene.lights[0].sweep = Sweep();
+  scene.lights[1].kind = LightKind::environment;
+  scene.lights[1].sky_map = 0;
+  scene.sky_maps = {{"sky", 2, 1, {Vec3f(1), Vec3f(2)}}};
   scene.functions.push_back(IntervalFunction{1.0, {{0, 0.5, Vec3f(1)}}});
   scene.functions.push_back(KeyFunction{{}, {{0, Vec3f(0)}, {1, Vec3f(1)}}});
   scene.functions.push_back(FormulaFunction{{"t"}, Vec3f(0), Vec3f(1)});
@@ -326,6 +329,18 @@ TEST(Canonical, ChangesWithLights) {
       {"lines", [](Scene& s) { s.lights[1].spectrum.lines = {{400, 1, 1}}; }},
       {"lines' widths", [](Scene& s) { s.lights[1].spectrum.lines = {{400, 1, 2}}; }},
       {"a light more", [](Scene& s) { s.lights.emplace_back(); }},
+      {"no map", [](Scene& s) { s.lights[1].sky_map = -1; }},
+      {"another map", [](Scene& s) { s.lights[1].sky_map = 1; }},
+      {"a turned map",
+       [](Scene& s) {
+         s.lights[1].rest_from_map = Mat3({0, 1, 0}, {-1, 0, 0}, {0, 0, 1});
+       }},
+      {"a map's pixel", [](Scene& s) { s.sky_maps[0].pixels[1].z = 3; }},
+      {"a map's size",
+       [](Scene& s) {
+         s.sky_maps[0].width = 1;
+         s.sky_maps[0].height = 2;
+       }},
   });
 }
 

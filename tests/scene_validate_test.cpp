@@ -353,6 +353,28 @@ TEST(Validate, Lights) {
               ElementsAre(HasSubstr("two lights are light \"\"")));
 }
 
+TEST(Validate, SkyMaps) {
+  const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
+    EXPECT_THAT(faults([&](Scene& s) {
+                  s.sky_maps = {{"sky", 2, 1, {Vec3f(1), Vec3f(2)}}};
+                  s.lights.emplace_back().kind = LightKind::environment;
+                  s.lights[0].sky_map = 0;
+                  spoil(s);
+                }),
+                ElementsAre(HasSubstr(words)));
+  };
+  one([](Scene& s) { s.lights[0].sky_map = 1; }, "refers to sky map 1 of 1");
+  one([](Scene& s) { s.lights[0].sky_map = -2; }, "refers to sky map -2 of 1");
+  one([](Scene& s) { s.lights[0].kind = LightKind::sun; }, "goes with environments only");
+  one([](Scene& s) { s.lights[0].rest_from_map[0] = {2, 0, 0}; }, "turned by a rotation");
+  one([](Scene& s) { s.lights[0].rest_from_map[0] = {-1, 0, 0}; }, "turned by a rotation");
+  one([](Scene& s) { s.lights[0].rest_from_map[0].x = std::nan(""); }, "turned by a rotation");
+  one([](Scene& s) { s.sky_maps[0].pixels.pop_back(); }, "has 1 pixels for 2 x 1");
+  one([](Scene& s) { s.sky_maps[0].height = -1; }, "has 2 pixels for 2 x -1");
+  one([](Scene& s) { s.sky_maps[0].pixels[1].y = -1; }, "pixel [2, -1, 2]");
+  one([](Scene& s) { s.sky_maps[0].pixels[1].y = std::nanf(""); }, "at least 0 and finite");
+}
+
 TEST(Validate, ListsEveryFault) {
   EXPECT_EQ(faults([](Scene& s) {
               s.light_speed = -1;

@@ -24,6 +24,7 @@ struct EmittingPatch {
 
 class Emitters {
  public:
+  Emitters() = default;  // nothing shines
   Emitters(const Scene& scene, const FrameSet& frames);
 
   bool empty() const { return patches_.empty(); }

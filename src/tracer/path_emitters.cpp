@@ -32,6 +32,7 @@ void PathWalk::set_chosen(int lane, float density) {
 // Of a path that has left its last vertex in a direction that lights are looked for in, too.
 float PathWalk::share_of_chance(int lane, double light_density) const {
   const auto own = static_cast<double>(chosen_.density[lane]);
+  if (stage_.search == LightSearch::by_choice && light_density > 0.0) return 0.0F;
   return own > 0.0 ? power_share(own, light_density) : 1.0F;
 }
 
@@ -158,9 +159,10 @@ RESTFRAME_CLONES void PathWalk::add_sampled(IncidentLanes& from, const Lanes<dou
   Vec3fLanes fraction;
   Lanes<float> by_chance;
   scattered_fraction(vertices_.bsdf, lobes, from.direction, fraction, by_chance);
+  const double both = stage_.search == LightSearch::both ? 1.0 : 0.0;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const double ratio = static_cast<double>(by_chance[i]) / density[i];
+    const double ratio = both * static_cast<double>(by_chance[i]) / density[i];
     const auto share = static_cast<float>(1.0 / (1.0 + ratio * ratio));
     from.irradiance.set(i, from.irradiance.at(i) * share);
   }

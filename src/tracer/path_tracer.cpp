@@ -15,14 +15,15 @@ constexpr std::uint64_t no_crossing = ~std::uint64_t{0};
 
 }  // namespace
 
-PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
+PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch search)
     : stage_{scene,
              frames,
              object_places(scene, frames),
              {},
              {},
              environments(scene),
-             Emitters(scene, frames),
+             search == LightSearch::by_chance ? Emitters() : Emitters(scene, frames),
+             search,
              false,
              false,
              false,
@@ -30,6 +31,9 @@ PathTracer::PathTracer(const Scene& scene, const FrameSet& frames)
              false,
              SceneSpectra(scene)},
       crossed_media_(no_crossing) {
+  for (Environment& sky : stage_.environments) {
+    if (search == LightSearch::by_chance) sky.is_sampled = false;
+  }
   for (const LightPlace& place : light_places(scene)) {
     if (place.light->kind != LightKind::environment) stage_.lights.push_back(place);
   }

@@ -13,7 +13,7 @@ namespace restframe {
 class PathTracer {
  public:
   // Both must outlive the integrator.
-  PathTracer(const Scene& scene, const FrameSet& frames);
+  PathTracer(const Scene& scene, const FrameSet& frames, LightSearch search = LightSearch::both);
 
   // `evaluator` belongs to the calling thread. `data`, if wanted, gets the first surface that a
   // stochastic opacity test keeps.

@@ -18,6 +18,10 @@
 
 namespace restframe {
 
+// How paths find the light of what they can also meet: by looking for it at every vertex, by chance, or
+// by both, each weighed by how likely it is to. All have the same mean; two are for comparison.
+enum class LightSearch : std::uint8_t { both, by_choice, by_chance };
+
 // What all paths share.
 struct PathStage {
   const Scene& scene;
@@ -27,6 +31,7 @@ struct PathStage {
   std::vector<LightPlace> lights;    // without size: paths never meet them by chance
   std::vector<Environment> environments;
   Emitters emitters;
+  LightSearch search = LightSearch::both;
   bool has_lights = false;       // something to look for light of at every vertex
   bool has_emitters = false;     // surfaces or environments that paths may meet
   bool has_see_through = false;  // materials that let light pass straight on

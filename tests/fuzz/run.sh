@@ -11,7 +11,7 @@ fuzzer=build/asan/restframe_fuzz
 models=/usr/share/assimp/models
 work=build/fuzz
 table=tests/fuzz/executions.csv
-all=(gltf glb obj mtl ply stl off image scene intervals csv formula)
+all=(gltf glb obj mtl ply stl off image scene intervals csv formula sky)
 
 seconds=${1:?usage: tests/fuzz/run.sh SECONDS [--record] [TARGET...]}
 shift

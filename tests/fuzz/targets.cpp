@@ -13,6 +13,7 @@
 #include "importers/paper_intervals.h"
 #include "scene/error.h"
 #include "scene/formula.h"
+#include "scene/validate_data.h"
 #include "support/gltf_builder.h"
 
 namespace restframe::fuzz {
@@ -68,6 +69,18 @@ void read_image(const fs::path&, std::string_view bytes) {
   expect_input_errors_only([&] {
     const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());  // that ends where it ends
     decode_image(copy, "image", small_limits());
+  });
+}
+
+void read_sky(const fs::path&, std::string_view bytes) {
+  expect_input_errors_only([&] {
+    const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
+    Warnings warnings;
+    const SkyMap map = decode_sky_map(copy, "sky", small_limits(), warnings);
+    for (const std::string& warning : warnings) require_one_line(warning);
+    std::vector<std::string> faults;
+    validate_sky_map(map, faults);
+    if (!faults.empty()) throw std::logic_error(faults[0]);
   });
 }
 
@@ -150,6 +163,7 @@ const std::vector<Target>& targets() {
       {"off", "in.off", read_asset},    {"image", nullptr, read_image},
       {"scene", "in.toml", read_scene}, {"intervals", "in.txt", read_intervals},
       {"csv", "in.csv", read_csv},      {"formula", nullptr, read_formula},
+      {"sky", nullptr, read_sky},
   };
   return all;
 }

@@ -54,6 +54,7 @@ Scene boosted(const Scene& scene, const Velocity& new_world) {
   for (Light& light : result.lights) {
     const Mat3 turn = wigner_rotation(light.worldline.velocity, new_world);
     light.direction = turn * light.direction;
+    light.rest_from_map = turn * light.rest_from_map;
     if (light.sweep) light.sweep->axis = turn * light.sweep->axis;
     light.worldline = boosted(light.worldline, new_world);
   }
