@@ -122,6 +122,57 @@ TEST(Lines, ComeByMirrors) {
   }
 }
 
+double triangle(double w, double from, double to) {
+  const double middle = (from + to) / 2;
+  return std::max(0.0, 1 - std::abs(w - middle) / (to - middle));
+}
+
+// Of luminance 1 at rest; or, where that is none, of energy 1.
+TEST(Measured, SpectraShift) {
+  const auto table = [](double from, double to) {
+    return fmt::format("emission_spectrum = [[{}, 0], [{}, 7], [{}, 0]]\nemission_strength = 3",
+                       from, (from + to) / 2, to);
+  };
+  const double luminance = shifted_xyz(1, [](double w) { return triangle(w, 500, 620); }).y;
+  for (const std::string integrator : {"preview", "path"}) {
+    const std::string keys = "samples = 16\nintegrator = \"" + integrator + "\"\n";
+    for (const double beta : {0.0, 0.15, -0.1}) {
+      const Vec3 seen = glow(keys + "doppler = true", beta, table(500, 620));
+      expect_rgb(seen,
+                 linear_from_xyz(
+                     shifted_xyz(head_on_doppler(beta),
+                                 [&](double w) { return 3 * triangle(w, 500, 620) / luminance; })),
+                 1e-2);
+    }
+    const Vec3 visible = glow(keys, 0, table(500, 620));
+    EXPECT_NEAR(glm::dot(visible, Vec3(0.2126, 0.7152, 0.0722)), 3, 0.01);
+    const Vec3 shifted = glow(keys + "doppler = true", -0.6, table(200, 300));
+    expect_rgb(
+        shifted,
+        linear_from_xyz(shifted_xyz(0.5, [&](double w) { return 3 * triangle(w, 200, 300) / 50; })),
+        1e-2);
+  }
+}
+
+// The colour of a lamp over its own clock, and a filter before it.
+TEST(Temperature, MayChange) {
+  for (const std::string keys : {"", "doppler = true"}) {
+    const std::string text =
+        axis_camera("integrator = \"path\"\nsamples = 16\n" + keys) + square_object(0) +
+        diffuse_patch({1, 1, 1}) +
+        moving_sun(0, kPi,
+                   "color = [0.5, 0.25, 0.25]\ntemperature = {keys = [[-4000, 2000], [0, 6000]]}");
+    const Vec3 seen = mean_of(path_pictures(text, {kSquare})[0]).rgb;
+    // The wavefront that is at z = -1000 at time -1000 left the sun's place, the origin, at -2000.
+    const double kelvin = 4000;
+    const double luminance = shifted_xyz(1, [&](double w) { return planck(w, kelvin); }).y;
+    const Vec3 right = linear_from_xyz(shifted_xyz(1, [&](double w) {
+      return planck(w, kelvin) * reflected({0.5, 0.25, 0.25}, w) / luminance;
+    }));
+    expect_rgb(seen, right, 3e-3);
+  }
+}
+
 // Light of a band, by thirds: what each has over what D65 light of luminance 1 has.
 struct Band {
   double from, to;
