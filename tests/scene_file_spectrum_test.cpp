@@ -183,6 +183,8 @@ TEST(Spectrum, IsCheckedInScenesOfPrograms) {
   EXPECT_THAT(fault({{}, {{600, 1, 0}}}, 0), HasSubstr("width of line 0"));
   EXPECT_THAT(fault({{}, {{600, -1, 1}}}, 0), HasSubstr("power of line 0"));
   EXPECT_THAT(fault({{}, std::vector<EmissionLine>(300, {600, 1, 1})}, 0), HasSubstr("300 lines"));
+  EXPECT_THAT(fault({std::vector<SpectrumPoint>(10'001, {600, 1}), {}}, 0),
+              HasSubstr("10001 points"));
   EXPECT_THAT(band_faults({500, 500}), SizeIs(1));
   EXPECT_THAT(band_faults({500, 1000}), IsEmpty());
 }

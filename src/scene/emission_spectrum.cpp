@@ -23,6 +23,10 @@ std::string wavelength_fault(const std::string& what, double wavelength) {
 
 void check_points(const std::vector<SpectrumPoint>& points, Faults& faults) {
   if (points.empty()) return;
+  if (points.size() > most_points) {
+    faults.push_back(
+        fmt::format("the spectrum has {} points, must be at most {}", points.size(), most_points));
+  }
   bool shines = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [wavelength, value] = points[i];

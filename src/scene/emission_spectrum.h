@@ -31,7 +31,7 @@ struct EmissionSpectrum {
   bool empty() const { return points.empty() && lines.empty(); }
 };
 
-inline constexpr std::size_t most_lines = 256;  // of one spectrum
+inline constexpr std::size_t most_points = 10'000, most_lines = 256;  // of one spectrum
 
 // A blackbody's, a measured one or lines, in place of D65 light of a colour.
 inline bool has_own_spectrum(const TemporalNumber& temperature, const EmissionSpectrum& spectrum) {
