@@ -21,6 +21,12 @@ std::uint32_t end_of_range(const Mesh& mesh, std::size_t range) {
                                            : static_cast<std::uint32_t>(mesh.triangles.size());
 }
 
+// Daylight on what is unlit and a spectrum of its own: rare, and found by chance alone.
+bool has_two_spectra(const Material& material) {
+  return material.unlit &&
+         has_own_spectrum(material.emission_temperature, material.emission_spectrum);
+}
+
 // Gathers the patches of a scene, and a table for each mesh's range and material.
 class Gatherer {
  public:
@@ -33,7 +39,8 @@ class Gatherer {
     for (std::size_t range = 0; range < mesh.materials.size(); ++range) {
       const auto slot = static_cast<std::size_t>(mesh.materials[range].slot);
       const int material = object.materials[slot];
-      if (!emits(scene_.materials[static_cast<std::size_t>(material)])) continue;
+      const Material& shining = scene_.materials[static_cast<std::size_t>(material)];
+      if (!emits(shining) || has_two_spectra(shining)) continue;
       const std::uint32_t first = mesh.materials[range].first_triangle;
       const std::uint32_t end = end_of_range(mesh, range);
       if (end <= first) continue;

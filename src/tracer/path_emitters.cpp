@@ -61,7 +61,11 @@ void PathWalk::weigh_emission(ShineLanes& shines) const {
   for (int lane = 0; lane < packet_size; ++lane) {
     if (met_[lane] == 0 || !(chosen_.density[lane] > 0.0F)) continue;
     const Vec3f shining = shines.radiance.at(lane);
-    if (shining != Vec3f(0)) shines.radiance.set(lane, shining * share_of_emitter(lane));
+    const Vec3f own = shines.any_own ? shines.own.at(lane) : Vec3f(0);
+    if (shining == Vec3f(0) && own == Vec3f(0)) continue;
+    const float share = share_of_emitter(lane);
+    shines.radiance.set(lane, shining * share);
+    if (shines.any_own) shines.own.set(lane, own * share);
   }
 }
 
@@ -78,7 +82,18 @@ void PathWalk::set_radiance(const EmitterPoints& points, const PointsSeen& seen,
         emitter_factor(beaming, seen.doppler[lane]) / static_cast<float>(seen.density[lane]);
     from.irradiance.set(lane, radiance * factor);
     if (radiance == Vec3f(0)) from.active[lane] = 0;
+    if (stage_.spectra.matters && from.active[lane] != 0) set_spectrum(met, seen, from);
   }
+}
+
+// Of what has a spectrum of its own, `radiance` was a colour of its light; nothing unlit has one here.
+void PathWalk::set_spectrum(const MetSurface& met, const PointsSeen& seen, IncidentLanes& from) {
+  const int lane = met.lane;
+  const auto object = static_cast<std::size_t>(met.surfaces.object[lane]);
+  const double clock = seen.rest_t[lane] + stage_.places[object].clock_at_anchor;
+  from.omega[lane] = 1.0 / seen.doppler[lane];
+  from.spectrum[lane] = stage_.spectra.of_material(met.surfaces.material[lane]);
+  from.kelvin[lane] = evaluator_(met.material().emission_temperature, clock);
 }
 
 // What a surface emits to whoever sees it, times the part of it that is there.
@@ -135,6 +150,7 @@ void PathWalk::add_sky(const Environment& sky, const LitLanes& lit, const ViewLo
   incident_from_sky(sky, vertices_.at.event, lit,
                     {stage_.scene.light_speed, stage_.scene.render.beaming}, u, v, evaluator_, from,
                     density);
+  if (stage_.spectra.matters) from.spectrum.fill(stage_.spectrum_of(sky.place));
   add_sampled(from, density, lit, lobes);
 }
 

@@ -52,6 +52,7 @@ enum class Dimension : std::uint32_t {
   emitter_triangle_digits,
   sky_u,
   sky_v,
+  wavelength,
   count
 };
 
