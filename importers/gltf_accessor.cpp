@@ -246,4 +246,27 @@ void read_indices(const GltfContext& context, const tinygltf::Model& model, int 
   for (std::size_t i = 0; i < replaced.size(); ++i) indices[replaced[i]] = values[i];
 }
 
+std::size_t count_indices(const GltfContext& context, const tinygltf::Model& model, int index,
+                          std::size_t end) {
+  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+  const Run run = run_of(model, accessor);
+  const bool is_plain = run.first != nullptr && !accessor.sparse.isSparse;
+  std::vector<std::uint32_t> block(is_plain ? std::min<std::size_t>(run.count, 4096) : run.count);
+  std::vector<bool> is_there(end, false);
+  for (std::size_t first = 0; first < run.count; first += block.size()) {
+    Run part = run;
+    part.first += is_plain ? first * run.stride : 0;
+    part.count = std::min(block.size(), run.count - first);
+    if (is_plain) {
+      copy_integers(part, block.data());
+    } else {
+      read_indices(context, model, index, block.data());
+    }
+    for (std::size_t i = 0; i < part.count; ++i) {
+      if (block[i] < end) is_there[block[i]] = true;
+    }
+  }
+  return static_cast<std::size_t>(std::count(is_there.begin(), is_there.end(), true));
+}
+
 }  // namespace restframe

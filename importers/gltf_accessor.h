@@ -31,4 +31,8 @@ std::vector<Mat4> read_mat4(const GltfContext& context, const tinygltf::Model& m
 void read_indices(const GltfContext& context, const tinygltf::Model& model, int accessor,
                   std::uint32_t* indices);
 
+// How many different integers below `end` there are among the accessor's; takes next to no memory.
+std::size_t count_indices(const GltfContext& context, const tinygltf::Model& model, int accessor,
+                          std::size_t end);
+
 }  // namespace restframe

@@ -25,19 +25,6 @@ std::size_t corner_count(const tinygltf::Model& model, const tinygltf::Primitive
       model, primitive.indices >= 0 ? primitive.indices : attribute(primitive, "POSITION"));
 }
 
-// How many of its vertices its indices name; faults are found later.
-std::size_t count_used(const GltfContext& context, const tinygltf::Model& model,
-                       const tinygltf::Primitive& primitive, std::size_t vertices) {
-  if (primitive.indices < 0) return vertices;
-  std::vector<std::uint32_t> corners(corner_count(model, primitive));
-  read_indices(context, model, primitive.indices, corners.data());
-  std::vector<bool> is_used(vertices, false);
-  for (const std::uint32_t corner : corners) {
-    if (corner < vertices) is_used[corner] = true;
-  }
-  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
-}
-
 // The value that glTF keeps from indices of this type: all bits set.
 std::uint32_t restart_value(int component_type) {
   switch (component_type) {
@@ -207,8 +194,9 @@ WholeMesh whole_of(const GltfContext& context, const tinygltf::Model& model,
     const std::size_t corners = corner_count(model, *primitive);
     whole.triangles += primitive->mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
     const std::size_t vertices = accessor_count(model, attribute(*primitive, "POSITION"));
-    whole.vertices += whole.shares_vertices ? count_used(context, model, *primitive, vertices)
-                                            : std::min(corners, vertices);
+    whole.vertices += whole.shares_vertices && primitive->indices >= 0
+                          ? count_indices(context, model, primitive->indices, vertices)
+                          : std::min(corners, vertices);
   }
   return whole;
 }

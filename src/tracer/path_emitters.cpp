@@ -94,7 +94,7 @@ Vec3f PathWalk::shine(const MetSurface& met, double rest_t) {
   const float there = coverage(met, texture.w, clock, evaluator_);
   if (there == 0.0F) return Vec3f(0);
   Vec3f radiance = emission(met, clock, evaluator_);
-  if (plain.layered && radiance != Vec3f(0)) radiance *= below_coat(met, clock, evaluator_);
+  if (plain.layered) radiance *= below_coat(met, met.surfaces.cosine[lane], clock, evaluator_);
   if (met.material().unlit) radiance += base_color(met, texture, clock, evaluator_);
   return there * radiance;
 }

@@ -67,12 +67,9 @@ void PathWalk::meet() {
   if (shines.any) add_emission(shines);
   if (!any_active(vertices_.active)) return;
   set_geometry();
+  view_lobes(vertices_.bsdf, vertices_.lobes);
   if (stage_.has_lights) add_lights();
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const bool goes_on =
-        stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
-    if (vertices_.active[lane] != 0 && goes_on) scatter_on(lane);
-  }
+  scatter_on();
 }
 
 RESTFRAME_CLONES void PathWalk::arrive() {
@@ -131,7 +128,10 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   const Material& material = met.material();
   const double clock = clock_[lane];
   Vec3f emitted = emission(met, clock, evaluator_);
-  if (plain(lane).layered && emitted != Vec3f(0)) emitted *= below_coat(met, clock, evaluator_);
+  if (plain(lane).layered) {
+    const float cosine = glm::dot(vertices_.at.facet.at(lane), hits_.sight.at(lane));
+    emitted *= below_coat(met, std::abs(cosine), clock, evaluator_);
+  }
   const bool needs_base = material.unlit || scatters;
   const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
   shines.set(lane, material.unlit ? emitted + base : emitted);

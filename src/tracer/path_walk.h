@@ -71,6 +71,7 @@ class PathWalk {
     Lanes<std::int32_t> active;
     HitEvents at;
     BsdfLanes bsdf;
+    ViewLobeLanes lobes;
   };
   // How the paths' last scatterings chose their directions.
   struct ChosenLanes {
@@ -145,7 +146,8 @@ class PathWalk {
 
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
-  void scatter_on(int lane);
+  void scatter_on();
+  void follow(int lane, const ScatteredLanes& scattered);
   bool survives(int lane);
   // The path goes on with this fraction of its light.
   void weigh(int lane, const Vec3f& weight) {

@@ -30,11 +30,6 @@ float coat_alpha_of(const MetSurface& met, double clock, TemporalEvaluator& eval
                   texel(met, material.clearcoat_roughness_texture).y);
 }
 
-// Between ray and coat.
-float coat_cosine(const MetSurface& met) {
-  return std::max(0.0F, -glm::dot(coat_normal_at(met), met.hits.sight.at(met.lane)));
-}
-
 }  // namespace
 
 Vec4f texel(const MetSurface& met, const TextureUse& use) {
@@ -109,10 +104,10 @@ BsdfLayers layers(const MetSurface& met, double clock, TemporalEvaluator& evalua
   return layers;
 }
 
-float below_coat(const MetSurface& met, double clock, TemporalEvaluator& evaluator) {
+float below_coat(const MetSurface& met, float cosine, double clock, TemporalEvaluator& evaluator) {
   const float coat = coat_of(met, clock, evaluator);
   if (coat <= 0.0F) return 1.0F;
-  return 1.0F - coat_reflection(coat, coat_alpha_of(met, clock, evaluator), coat_cosine(met));
+  return 1.0F - coat_reflection(coat, coat_alpha_of(met, clock, evaluator), cosine);
 }
 
 SurfaceData surface_data(const MetSurface& met, const ObjectPlace& place, const RayPacket& rays) {

@@ -49,9 +49,9 @@ void set_finish(const MetSurface& met, double clock, TemporalEvaluator& evaluato
 // What lies over the surface, and how it lets light through.
 BsdfLayers layers(const MetSurface& met, double clock, TemporalEvaluator& evaluator);
 
-// The fraction of the surface's own light that a clear coat lets out to the ray. It may be a point that
-// no ray has met: of `hits` its triangle, weights and sight are read, of `surfaces` its material and side.
-float below_coat(const MetSurface& met, double clock, TemporalEvaluator& evaluator);
+// The fraction of the surface's own light that a clear coat lets out at this cosine to the triangle's
+// normal. (Other normals would do, but whoever chooses points of what shines must use the same.)
+float below_coat(const MetSurface& met, float cosine, double clock, TemporalEvaluator& evaluator);
 
 // What data layers say of a refined hit on a ray of the camera.
 SurfaceData surface_data(const MetSurface& met, const ObjectPlace& place, const RayPacket& rays);
