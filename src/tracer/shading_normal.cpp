@@ -1,5 +1,6 @@
 #include "tracer/shading_normal.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
