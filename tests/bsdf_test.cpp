@@ -45,7 +45,7 @@ Outcome sampled(const Bsdf& bsdf, int count) {
 
 // The same from scattered_fraction, summed over the hemisphere.
 Outcome integrated(const Bsdf& bsdf) {
-  constexpr int rings = 250, sectors = 500;
+  constexpr int rings = 160, sectors = 320;
   Outcome sum;
   for (int i = 0; i < rings; ++i) {
     const double theta = 0.5 * kPi * (i + 0.5) / rings;
@@ -216,15 +216,14 @@ TEST(Scattering, AgreesWithTheFractionForLights) {
         bsdf.eta = kind.eta;
         bsdf.base = kind.base;
         bsdf.alpha = roughness * roughness;
-        const Outcome chosen = sampled(bsdf, 200000), summed = integrated(bsdf);
+        const Outcome chosen = sampled(bsdf, 60000), summed = integrated(bsdf);
         SCOPED_TRACE(::testing::Message()
                      << "metallic " << kind.metallic << " transmission " << kind.transmission
                      << " eta " << kind.eta << " roughness " << roughness << " theta " << theta);
         for (int c = 0; c < 3; ++c) {
-          EXPECT_NEAR(chosen.reflected[c], summed.reflected[c],
-                      0.01 * summed.reflected[c] + 1.5e-3);
+          EXPECT_NEAR(chosen.reflected[c], summed.reflected[c], 0.015 * summed.reflected[c] + 3e-3);
         }
-        EXPECT_LT(glm::length(chosen.towards - summed.towards), 0.01 * summed.reflected.x + 2e-3);
+        EXPECT_LT(glm::length(chosen.towards - summed.towards), 0.015 * summed.reflected.x + 4e-3);
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -71,6 +72,70 @@ TEST(LowDiscrepancy, EveryAlignedRunOfAPixelsSamplesIsANet) {
   }
 }
 
+// Whether each box of every shape with sides of powers of 1/2, of which 2^(k - t) fill the cube, holds 2^t
+// of the first 2^k points of a set of dimensions: a (t, k, s)-net.
+class CubePoints {
+ public:
+  CubePoints(PacketId id, int lane, std::uint32_t index, Dimension first, int k)
+      : k_(k), dimensions_(static_cast<int>(size_of_set(first))) {
+    for (id.sample = 0; id.sample < (1U << k); ++id.sample) {
+      std::array<double, 4> point{};
+      for (int d = 0; d < dimensions_; ++d) {
+        const auto dimension = static_cast<Dimension>(static_cast<int>(first) + d);
+        point[static_cast<std::size_t>(d)] =
+            static_cast<double>(random_unit(id, lane, dimension, index));
+      }
+      points_.push_back(point);
+    }
+  }
+
+  bool are_net(int t) const { return are_net(t, 0, k_ - t, {}); }
+
+ private:
+  // Halvings are left to be spread over the dimensions from `d` on.
+  bool are_net(int t, int d, int left, std::array<int, 4> halvings) const {
+    if (d + 1 == dimensions_) {
+      halvings[static_cast<std::size_t>(d)] = left;
+      return holds_alike(1 << t, halvings);
+    }
+    bool all = true;
+    for (int here = 0; here <= left; ++here) {
+      halvings[static_cast<std::size_t>(d)] = here;
+      all = all && are_net(t, d + 1, left - here, halvings);
+    }
+    return all;
+  }
+
+  bool holds_alike(int expected, const std::array<int, 4>& halvings) const {
+    std::vector<int> held(points_.size() / static_cast<std::size_t>(expected));
+    for (const auto& p : points_) {
+      std::size_t box = 0;
+      for (std::size_t d = 0; d < 4; ++d) {
+        box = (box << halvings[d]) | static_cast<std::size_t>(std::ldexp(p[d], halvings[d]));
+      }
+      ++held[box];
+    }
+    return std::all_of(held.begin(), held.end(), [&](int n) { return n == expected; });
+  }
+
+  int k_, dimensions_;
+  std::vector<std::array<double, 4>> points_;
+};
+
+TEST(LowDiscrepancy, SetsOfDimensionsAreNets) {
+  for (const std::uint32_t bits : {11U, 32U}) {
+    for (int k = 3; k <= 11; ++k) {
+      const PacketId id = packet(bits, 40 + static_cast<std::uint64_t>(k));
+      EXPECT_TRUE(CubePoints(id, 3, 1, Dimension::film_u, k).are_net(0)) << bits << ' ' << k;
+      EXPECT_TRUE(CubePoints(id, 3, 1, Dimension::direction_u, k).are_net(1)) << bits << ' ' << k;
+      EXPECT_TRUE(CubePoints(id, 3, 1, Dimension::emitter_u, k).are_net(3)) << bits << ' ' << k;
+    }
+  }
+  EXPECT_EQ(size_of_set(Dimension::emitter_u), 4U);
+  EXPECT_EQ(size_of_set(Dimension::direction_u), 3U);
+  EXPECT_EQ(size_of_set(Dimension::survival), 1U);
+}
+
 // A test that no set of points fails tells nothing.
 TEST(LowDiscrepancy, OtherPointsAreNoNet) {
   std::vector<Point> points = run_of(packet(8), 0, 0, 64, 0);
@@ -80,8 +145,7 @@ TEST(LowDiscrepancy, OtherPointsAreNoNet) {
 
 TEST(LowDiscrepancy, NumbersWithoutAPairAreStratified) {
   PacketId id = packet(12);
-  for (const Dimension dimension :
-       {Dimension::lobe, Dimension::opacity, Dimension::survival, Dimension::time}) {
+  for (const Dimension dimension : {Dimension::opacity, Dimension::survival, Dimension::time}) {
     for (std::uint32_t count = 1; count <= 4096; count *= 4) {
       std::vector<int> held(count);
       for (id.sample = 0; id.sample < count; ++id.sample) {
@@ -187,8 +251,8 @@ double chi_squared_of(Dimension a, std::uint32_t index_a, Dimension b, std::uint
 TEST(LowDiscrepancy, UsesAreIndependentOfEachOther) {
   // 49 degrees of freedom: beyond 100 with a probability of 2e-5.
   EXPECT_LT(chi_squared_of(Dimension::lobe, 0, Dimension::survival, 0), 100);
-  EXPECT_LT(chi_squared_of(Dimension::lobe, 0, Dimension::direction_u, 0), 100);
-  EXPECT_LT(chi_squared_of(Dimension::lobe, 1, Dimension::direction_v, 1), 100);
+  EXPECT_LT(chi_squared_of(Dimension::opacity, 0, Dimension::direction_u, 0), 100);
+  EXPECT_LT(chi_squared_of(Dimension::survival, 1, Dimension::direction_v, 1), 100);
   EXPECT_LT(chi_squared_of(Dimension::direction_u, 0, Dimension::direction_u, 1), 100);
   EXPECT_LT(chi_squared_of(Dimension::direction_v, 0, Dimension::direction_v, 1), 100);
   EXPECT_LT(chi_squared_of(Dimension::direction_u, 3, Dimension::direction_v, 7), 100);
@@ -218,6 +282,31 @@ TEST(LowDiscrepancy, ErrorsFallFasterThanWithIndependentNumbers) {
   EXPECT_NEAR(edge_error(64, false) * 64, 0.2500, 0.06);  // p (1 - p), p = 0.5027
   EXPECT_LT(edge_error(64, true), 0.15 * edge_error(64, false));
   EXPECT_LT(edge_error(256, true), 0.2 * edge_error(64, true));
+}
+
+// A choice by chance between two things to integrate: the lobe is no stranger to the direction.
+double choice_error(std::uint32_t samples, bool sequence) {
+  double sum = 0;
+  constexpr std::uint32_t pixels = 500;
+  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+    PacketId id = packet(8, pixel);
+    double mean = 0;
+    for (std::uint32_t s = 0; s < samples; ++s) {
+      if (!sequence) id.replicate = s;
+      const Point p = point_of(id, 0, sequence ? s : 0);
+      const bool edge = random_unit(id, 0, Dimension::lobe, 0) < 0.3F;
+      const double smooth = 4 * p.u * p.v;
+      mean += (edge ? (std::hypot(p.u, p.v) < 0.8 ? 1.0 : 0.0) : smooth) / samples;
+    }
+    const double error = mean - (0.3 * 0.16 * std::acos(-1.0) + 0.7);
+    sum += error * error / pixels;
+  }
+  return sum;
+}
+
+TEST(LowDiscrepancy, SoDoThoseOfAChoiceBetweenLobes) {
+  EXPECT_LT(choice_error(64, true), 0.15 * choice_error(64, false));
+  EXPECT_LT(choice_error(256, true), 0.2 * choice_error(64, true));
 }
 
 // Errors of pixels side by side make up for each other: what is left after a blur is a fraction of what

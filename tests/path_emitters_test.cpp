@@ -316,6 +316,16 @@ intensity = 0.5
   return scene;
 }
 
+// A clear coat keeps the same part of the lamp's light from what looks for it and from what meets it.
+TEST(LightSearch, WaysAgreeOnCoatedLamps) {
+  LampSetting lamp;
+  lamp.velocity = {0.3, 0, 0.2};
+  lamp.emission = "emission = [2, 2, 2]\nclearcoat = 1\nclearcoat_roughness = 0.3";
+  const Scene scene = lamp_scene(lamp, 4);
+  const PixelMeans by_choice = block_means(scene, 40, 2, LightSearch::by_choice);
+  expect_equal_means(by_choice, block_means(scene, 40, 2, LightSearch::by_chance));
+}
+
 // All ways to look for light have the same mean. (Of gloss at grazing angles, choosing alone finds too
 // seldom what is bright for its spread to be known.)
 TEST(LightSearch, WaysAgree) {

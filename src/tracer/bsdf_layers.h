@@ -49,6 +49,10 @@ struct Fraction {
   float density = 0;
 };
 
+struct Way;
+Way layered_way(const Bsdf& bsdf, const ViewLobe& lobe, const ViewLayers& layers,
+                const Vec3f& numbers);
+
 // All that layered surfaces add to the plain one's.
 Fraction layers_fraction(const Bsdf& bsdf, const ViewLobe& lobe, const ViewLayers& layers,
                          const Vec3f& direction);

@@ -55,10 +55,13 @@ inline Fraction plain_fraction(const Bsdf& b, const ViewLobe& lobe, const Vec3f&
           seen ? density : 0.0F};
 }
 
-inline ViewLobe view_lobe(const Bsdf& b, const FacetAlbedoTable& table, ViewLayers& layers) {
+inline ViewLobe plain_view_lobe(const Bsdf& b, const FacetAlbedoTable& table) {
   const float cos_view = std::max(least_cosine, glm::dot(b.normal, b.view));
-  ViewLobe lobe =
-      view_weights(b, 1.0F - b.layers.transmission, facet_albedo(table, cos_view, b.alpha));
+  return view_weights(b, 1.0F - b.layers.transmission, facet_albedo(table, cos_view, b.alpha));
+}
+
+inline ViewLobe view_lobe(const Bsdf& b, const FacetAlbedoTable& table, ViewLayers& layers) {
+  ViewLobe lobe = plain_view_lobe(b, table);
   layers = view_layers(b, lobe);
   return lobe;
 }

@@ -69,6 +69,7 @@ void see_group(const LightPlace& place, const EventLanes<in::World>& event, cons
     const bool comes = density > 0.0 && density < 1e300;
     set_in(group, i, incident.active, comes ? -1 : 0);
     set_in(group, i, points.surfaces.back, facing < 0.0 ? 1 : 0);
+    set_in(group, i, points.surfaces.cosine, static_cast<float>(std::abs(facing)));
     set_in(group, i, seen.density, density);
     set_in(group, i, seen.doppler, arrival.doppler[i]);
     set_in(group, i, seen.rest_t, at.t[i] - distance[i]);

@@ -84,7 +84,8 @@ void PathWalk::set_radiance(const EmitterPoints& points, const PointsSeen& seen,
   const bool beaming = stage_.scene.render.beaming;
   for (int lane = 0; lane < packet_size; ++lane) {
     if (from.active[lane] == 0) continue;
-    const MetSurface met{stage_.scene, stage_.frames, points.surfaces, points.hits, lane};
+    const MetSurface met{stage_.scene, stage_.frames, points.surfaces,
+                         points.hits,  lane,          &stage_.tables};
     const Vec3f radiance = shine(met, seen.rest_t[lane]);
     const float factor =
         emitter_factor(beaming, seen.doppler[lane]) / static_cast<float>(seen.density[lane]);
@@ -106,6 +107,7 @@ Vec3f PathWalk::shine(const MetSurface& met, double rest_t) {
   const float there = coverage(met, texture.w, clock, evaluator_);
   if (there == 0.0F) return Vec3f(0);
   Vec3f radiance = emission(met, clock, evaluator_);
+  if (plain.layered) radiance *= below_coat(met, met.surfaces.cosine[lane], clock, evaluator_);
   if (met.material().unlit) radiance += base_color(met, texture, clock, evaluator_);
   return there * radiance;
 }

@@ -25,8 +25,7 @@ void PathWalk::add_lights() {
   }
   if (!any_active(lit.active)) return;
   find_rest_frames(lit);
-  ViewLobeLanes lobes;
-  view_lobes(vertices_.bsdf, lobes);
+  const ViewLobeLanes& lobes = vertices_.lobes;
   for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
   if (!stage_.emitters.empty()) add_emitters(lit, lobes);
   for (const Environment& sky : stage_.environments) {

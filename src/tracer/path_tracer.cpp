@@ -18,6 +18,7 @@ constexpr std::uint64_t no_crossing = ~std::uint64_t{0};
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch search)
     : stage_{scene,
              frames,
+             SurfaceTables(scene),
              object_places(scene, frames),
              {},
              {},

@@ -5,6 +5,7 @@
 #include "frames/lane_groups.h"
 #include "physics/clones.h"
 #include "tracer/path_walk.h"
+#include "tracer/shading_normal.h"
 
 namespace restframe {
 namespace {
@@ -32,11 +33,13 @@ PlainMaterial plain_material(const Material& m) {
   const bool textured = m.base_color_texture.texture >= 0 ||
                         m.metallic_roughness_texture.texture >= 0 ||
                         m.emission_texture.texture >= 0 || m.specular_texture.texture >= 0 ||
-                        m.specular_color_texture.texture >= 0;
+                        m.specular_color_texture.texture >= 0 || has_normal_map(m);
   PlainMaterial plain;
   plain.layered = is_layered(m);
   plain.always =
       !changes && !textured && !m.unlit && !plain.layered && m.alpha_mode == AlphaMode::opaque;
+  plain.tilted = has_normal_map(m);
+  plain.tilted_coat = m.clearcoat_normal_texture.texture >= 0;
   plain.double_sided = m.double_sided;
   plain.base = m.base_color.value;
   plain.emission = m.emission.value * m.emission_strength.value;
@@ -64,12 +67,9 @@ void PathWalk::meet() {
   if (shines.any) add_emission(shines);
   if (!any_active(vertices_.active)) return;
   set_geometry();
+  view_lobes(vertices_.bsdf, vertices_.lobes);
   if (stage_.has_lights) add_lights();
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const bool goes_on =
-        stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
-    if (vertices_.active[lane] != 0 && goes_on) scatter_on(lane);
-  }
+  scatter_on();
 }
 
 RESTFRAME_CLONES void PathWalk::arrive() {
@@ -128,7 +128,10 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   const Material& material = met.material();
   const double clock = clock_[lane];
   Vec3f emitted = emission(met, clock, evaluator_);
-  if (plain(lane).layered) emitted *= below_coat(met, clock, evaluator_);
+  if (plain(lane).layered) {
+    const float cosine = glm::dot(vertices_.at.facet.at(lane), hits_.sight.at(lane));
+    emitted *= below_coat(met, std::abs(cosine), clock, evaluator_);
+  }
   const bool needs_base = material.unlit || scatters;
   const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
   shines.set(lane, material.unlit ? emitted + base : emitted);
@@ -160,6 +163,16 @@ RESTFRAME_CLONES void PathWalk::set_geometry() {
     bsdf.normal.set(i, surfaces_.normal.at(i));
     bsdf.facet.set(i, vertices_.at.facet.at(i));
     bsdf.base.set(i, glm::max(bsdf.base.at(i), Vec3f(0)));
+  }
+  for (int lane = 0; tilts_ && lane < packet_size; ++lane) {
+    if (vertices_.active[lane] == 0 || !plain(lane).tilted) continue;
+    bsdf.normal.set(
+        lane, reflecting_normal(bsdf.view.at(lane), bsdf.facet.at(lane), bsdf.normal.at(lane)));
+  }
+  for (int lane = 0; bsdf.layered && lane < packet_size; ++lane) {
+    if (vertices_.active[lane] == 0 || !plain(lane).tilted_coat) continue;
+    Vec3fLanes& coat = bsdf.layers.coat_normal;
+    coat.set(lane, reflecting_normal(bsdf.view.at(lane), bsdf.facet.at(lane), coat.at(lane)));
   }
 }
 

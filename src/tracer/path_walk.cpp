@@ -1,6 +1,7 @@
 #include "tracer/path_walk.h"
 
 #include "frames/lane_groups.h"
+#include "tracer/shading_normal.h"
 
 namespace restframe {
 namespace {
@@ -21,6 +22,9 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   paths_.radiance.z.fill(0.0F);
   paths_.coverage.fill(0.0F);
   paths_.scatterings.fill(0);
+  for (int i = 0; stage_.tables.has_textures() && i < packet_size; ++i) {
+    paths_.cone[i] = {0.0F, rays.has_spread ? rays.spread[i] : 0.0F};
+  }
   chosen_.density.fill(0.0F);
   if (data_ != nullptr) data_->fill({});
 }
@@ -91,6 +95,7 @@ void PathWalk::add_environments(int lane) {
 void PathWalk::stop_or_pass() {
   if (any_active(missed_)) miss();
   met_.fill(0);
+  tilts_ = false;
   for_each_group(surfaces_.material, hit_, [&](int first, const Lanes<std::int32_t>& group) {
     if (plain(first).always && !inside_) return stop_at_plain(plain(first), group);
     for (int lane = 0; lane < packet_size; ++lane) {
@@ -138,6 +143,9 @@ void PathWalk::stop_or_pass(int lane) {
       stopped >= 1.0F || (stopped > 0.0F && random(lane, Dimension::opacity) < stopped);
   if (!stops) return pass(lane);
   met_[lane] = -1;
+  if (!has_normal_map(met.material())) return;
+  tilt_normal(met, clock_[lane], evaluator_, surfaces_);
+  tilts_ = true;
 }
 
 // Media nest only where nothing moves; such a path ends.

@@ -7,6 +7,7 @@
 #include "tracer/bsdf.h"
 #include "tracer/emitter_points.h"
 #include "tracer/environment.h"
+#include "tracer/footprint.h"
 #include "tracer/light_sampling.h"
 #include "tracer/medium_stack.h"
 #include "tracer/plain_material.h"
@@ -24,6 +25,7 @@ enum class LightSearch : std::uint8_t { both, by_choice, by_chance };
 struct PathStage {
   const Scene& scene;
   const FrameSet& frames;
+  SurfaceTables tables;
   std::vector<ObjectPlace> places;
   std::vector<PlainMaterial> plain;  // a material each
   std::vector<LightPlace> lights;    // without size: paths never meet them by chance
@@ -62,12 +64,14 @@ class PathWalk {
     Lanes<float> coverage;  // 1: something was met that is no background
     Lanes<std::int32_t> scatterings;
     Lanes<double> omega;  // the light's frequency in the rest frame of the surface or medium
+    Lanes<RayCone> cone;  // around the path on its way; only where there are textures
   };
   // Surface events that scatter, each in its rest frame.
   struct VertexLanes {
     Lanes<std::int32_t> active;
     HitEvents at;
     BsdfLanes bsdf;
+    ViewLobeLanes lobes;
   };
   // How the paths' last scatterings chose their directions.
   struct ChosenLanes {
@@ -99,8 +103,11 @@ class PathWalk {
   void stop_or_pass(int lane);
   void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
   void pass(int lane);
+  float cone_width(int lane) const {
+    return stage_.tables.has_textures() ? paths_.cone[lane].at(hits_.s[lane]) : 0.0F;
+  }
   MetSurface met_surface(int lane) const {
-    return {stage_.scene, stage_.frames, surfaces_, hits_, lane};
+    return {stage_.scene, stage_.frames, surfaces_, hits_, lane, &stage_.tables, cone_width(lane)};
   }
   const PlainMaterial& plain(int lane) const {
     return stage_.plain[static_cast<std::size_t>(surfaces_.material[lane])];
@@ -142,7 +149,8 @@ class PathWalk {
 
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
-  void scatter_on(int lane);
+  void scatter_on();
+  void follow(int lane, const ScatteredLanes& scattered);
   bool survives(int lane);
   // The path goes on with this fraction of its light.
   void weigh(int lane, const Vec3f& weight) {
@@ -152,6 +160,7 @@ class PathWalk {
   void receive(int lane, const Vec3f& light) {
     paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * light);
   }
+  void widen_cone(int lane, float density);
   void depart(int lane, const Vec3f& direction);
 
   float random(int lane, Dimension dimension) { return random_(lane, dimension, round_); }
@@ -173,6 +182,7 @@ class PathWalk {
   Lanes<double> clock_;               // of what was met, unless it is plain
   Lanes<Vec4f> texture_;              // likewise: the base colour's
   Lanes<std::int32_t> met_;           // -1: the path is stopped by a surface in this round
+  bool tilts_ = false;                // some surface met has a normal map
   VertexLanes vertices_;
   MediumCrossing crossing_;
 };

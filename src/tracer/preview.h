@@ -4,6 +4,7 @@
 #include "tracer/random.h"
 #include "tracer/sample.h"
 #include "tracer/surface.h"
+#include "tracer/surface_material.h"
 
 namespace restframe {
 
@@ -45,16 +46,18 @@ class Preview {
   // One lane of what a packet met. Hits are refined where something depends on exactly when they are.
   struct Met {
     const RayPacket& rays;
-    const SurfaceLanes& surfaces;
+    SurfaceLanes& surfaces;
     HitPacket& hits;
     int lane;
   };
+  MetSurface met_surface(const Met& met) const;
   Vec4f shade(const Met& met, TemporalEvaluator& evaluator) const;
   Vec4f shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
   SurfaceData data_of(const Met& met) const;
 
   const Scene& scene_;
   const FrameSet& frames_;
+  SurfaceTables tables_;
   std::vector<ObjectPlace> places_;
   std::vector<Plain> plain_;    // a material each
   std::vector<Simple> simple_;  // nothing, then a material each

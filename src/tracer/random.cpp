@@ -5,8 +5,9 @@
 namespace restframe {
 namespace {
 
-RESTFRAME_CLONES void place_lanes(const PacketId& id, Lanes<std::uint32_t>& index_reversed,
-                                  Lanes<std::uint32_t>& seed) {
+using BitLanes = Lanes<std::uint32_t>;
+
+RESTFRAME_CLONES void place_lanes(const PacketId& id, BitLanes& index_reversed, BitLanes& seed) {
   const std::uint32_t sample = id.sample;
   const std::uint32_t sample_bits = id.sample_bits;
 #pragma GCC ivdep
@@ -17,29 +18,42 @@ RESTFRAME_CLONES void place_lanes(const PacketId& id, Lanes<std::uint32_t>& inde
   }
 }
 
-struct PlaceLanes {
-  const Lanes<std::uint32_t>&index_reversed, &seed;
-};
-
-RESTFRAME_CLONES void draw_one(const PlaceLanes& places, const UseSeeds& use, Lanes<float>& units) {
-  const UseSeeds seeds = use;
+// The points' places in the order of one use.
+RESTFRAME_CLONES void shuffle_lanes(const BitLanes& index_reversed, const BitLanes& seed,
+                                    std::uint32_t order, BitLanes& points) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const std::uint32_t own = places.seed[i];
-    const std::uint32_t point = shuffled_index(places.index_reversed[i], seeds.order ^ own);
-    units[i] = scrambled_unit(point, seeds.first ^ own);
+    points[i] = shuffled_index(index_reversed[i], order ^ seed[i]);
   }
 }
 
-RESTFRAME_CLONES void draw_pair(const PlaceLanes& places, const UseSeeds& use, Lanes<float>& first,
-                                Lanes<float>& second) {
-  const UseSeeds seeds = use;
+RESTFRAME_CLONES void first_lanes(const BitLanes& points, const BitLanes& seed, std::uint32_t use,
+                                  Lanes<float>& units) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) units[i] = scrambled_unit(points[i], use ^ seed[i]);
+}
+
+RESTFRAME_CLONES void second_lanes(const BitLanes& points, const BitLanes& seed, std::uint32_t use,
+                                   Lanes<float>& units) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const std::uint32_t own = places.seed[i];
-    const std::uint32_t point = shuffled_index(places.index_reversed[i], seeds.order ^ own);
-    first[i] = scrambled_unit(point, seeds.first ^ own);
-    second[i] = scrambled_unit(sobol_second_reversed(point), seeds.second ^ own);
+    units[i] = scrambled_unit(sobol_second_reversed(points[i]), use ^ seed[i]);
+  }
+}
+
+RESTFRAME_CLONES void third_lanes(const BitLanes& points, const BitLanes& seed, std::uint32_t use,
+                                  Lanes<float>& units) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    units[i] = scrambled_unit(sobol_reversed(sobol_third, points[i]), use ^ seed[i]);
+  }
+}
+
+RESTFRAME_CLONES void fourth_lanes(const BitLanes& points, const BitLanes& seed, std::uint32_t use,
+                                   Lanes<float>& units) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    units[i] = scrambled_unit(sobol_reversed(sobol_fourth, points[i]), use ^ seed[i]);
   }
 }
 
@@ -49,12 +63,15 @@ void PacketRandom::draw(Dimension first, std::uint32_t index) {
   if (!placed_) place_lanes(id_, index_reversed_, seed_);
   placed_ = true;
   const auto at = static_cast<std::size_t>(first);
+  const std::size_t size = size_of_set(first);
   const UseSeeds seeds = seeds_of(id_, first, index);
-  drawn_[at] = index + 1;
-  const bool pair = at + 1 < dimensions && is_second(static_cast<Dimension>(at + 1));
-  if (!pair) return draw_one({index_reversed_, seed_}, seeds, units_[at]);
-  drawn_[at + 1] = index + 1;
-  draw_pair({index_reversed_, seed_}, seeds, units_[at], units_[at + 1]);
+  BitLanes points;
+  shuffle_lanes(index_reversed_, seed_, seeds.order, points);
+  first_lanes(points, seed_, seeds.place[0], units_[at]);
+  if (size > 1) second_lanes(points, seed_, seeds.place[1], units_[at + 1]);
+  if (size > 2) third_lanes(points, seed_, seeds.place[2], units_[at + 2]);
+  if (size > 3) fourth_lanes(points, seed_, seeds.place[3], units_[at + 3]);
+  for (std::size_t i = at; i < at + size; ++i) drawn_[i] = index + 1;
 }
 
 }  // namespace restframe

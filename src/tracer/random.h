@@ -13,7 +13,7 @@ namespace restframe {
 // on the order in which threads come by.
 //
 // Each is uniform, but those of one use are no strangers to each other: over the samples of a pixel
-// they fill the unit interval (or square) evenly, and over neighbouring pixels, too, so that what
+// they fill the unit interval (or square, or cube) evenly, and over neighbouring pixels, too, so that what
 // remains of error is fine-grained (Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte
 // Carlo sampling error via hierarchical ordering of pixels"). For this, the samples of all pixels are
 // consecutive points of one sequence, pixels in Morton's order, 2^sample_bits points a pixel; each use
@@ -37,30 +37,57 @@ inline int bits_for(int samples) {
 enum class Dimension : std::uint32_t {
   opacity,
   time,
-  lobe,
   direction_u,
   direction_v,
+  lobe,
   survival,
   film_u,
   film_v,
   lens_u,
   lens_v,
-  emitter_frame,
-  emitter_triangle,
-  emitter_triangle_digits,
   emitter_u,
   emitter_v,
+  emitter_triangle,
+  emitter_frame,
+  emitter_triangle_digits,
   sky_u,
   sky_v,
   count
 };
 
-// The dimensions that are the second of a pair: together with the one before they fill the unit square
-// evenly.
-constexpr bool is_second(Dimension dimension) {
-  return dimension == Dimension::direction_v || dimension == Dimension::film_v ||
-         dimension == Dimension::lens_v || dimension == Dimension::emitter_v ||
-         dimension == Dimension::sky_v;
+// Dimensions that are used together make a set of two to four that follow each other, which fill the
+// unit square or cube evenly: where a lobe is chosen by chance, the directions of each lobe still do.
+// (With choices that are strangers to what is chosen for, nothing is left of the gain.) The first two
+// are the best. The place of a dimension in its set: 0 of what begins one, or is alone.
+constexpr std::uint32_t place_in_set(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::direction_v:
+    case Dimension::film_v:
+    case Dimension::lens_v:
+    case Dimension::emitter_v:
+    case Dimension::sky_v:
+      return 1;
+    case Dimension::lobe:
+    case Dimension::emitter_triangle:
+      return 2;
+    case Dimension::emitter_frame:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+constexpr Dimension first_of_set(Dimension dimension) {
+  return static_cast<Dimension>(static_cast<std::uint32_t>(dimension) - place_in_set(dimension));
+}
+
+constexpr std::size_t size_of_set(Dimension first) {
+  auto after = static_cast<std::uint32_t>(first) + 1;
+  while (after < static_cast<std::uint32_t>(Dimension::count) &&
+         place_in_set(static_cast<Dimension>(after)) > 0) {
+    ++after;
+  }
+  return after - static_cast<std::uint32_t>(first);
 }
 
 // Steele and others' SplitMix64 finaliser: every input bit reaches every output bit.
@@ -89,10 +116,11 @@ inline SequencePlace place_in_sequence(std::uint32_t pixel, std::uint32_t sample
 
 // The seeds of one use of random numbers, alike for all pixels and samples.
 struct UseSeeds {
-  std::uint32_t order, first, second;
+  std::uint32_t order;
+  std::array<std::uint32_t, 4> place;  // of the dimension's place in its set
 };
 
-// dimension: the first of its pair, if it has one.
+// dimension: the first of its set.
 inline UseSeeds seeds_of(const PacketId& id, Dimension dimension, std::uint32_t index) {
   constexpr std::uint64_t golden = 0x9e3779b97f4a7c15ULL;
   const std::uint64_t what =
@@ -100,27 +128,24 @@ inline UseSeeds seeds_of(const PacketId& id, Dimension dimension, std::uint32_t 
   const std::uint64_t where = (std::uint64_t{id.picture} << 32) | id.replicate;
   const std::uint64_t bits = mixed(mixed(mixed(id.seed + golden) ^ where) + golden * (what + 1));
   const std::uint64_t more = mixed(bits + golden);
-  return {static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits),
-          static_cast<std::uint32_t>(more >> 32)};
-}
-
-inline Dimension first_of_pair(Dimension dimension) {
-  return is_second(dimension) ? static_cast<Dimension>(static_cast<std::uint32_t>(dimension) - 1)
-                              : dimension;
+  return {static_cast<std::uint32_t>(bits >> 32),
+          {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(more >> 32),
+           static_cast<std::uint32_t>(more), static_cast<std::uint32_t>(mixed(more + golden))}};
 }
 
 // In [0, 1). index: tells numbers of one dimension apart, below 2^24.
 inline float random_unit(const PacketId& id, int lane, Dimension dimension, std::uint32_t index) {
   const SequencePlace place = place_in_sequence(id.pixel[lane], id.sample, id.sample_bits);
-  const UseSeeds seeds = seeds_of(id, first_of_pair(dimension), index);
-  const std::uint32_t point = shuffled_index(place.index_reversed, seeds.order ^ place.seed);
-  if (is_second(dimension)) {
-    return scrambled_unit(sobol_second_reversed(point), seeds.second ^ place.seed);
-  }
-  return scrambled_unit(point, seeds.first ^ place.seed);
+  const UseSeeds seeds = seeds_of(id, first_of_set(dimension), index);
+  const std::uint32_t at = place_in_set(dimension);
+  std::uint32_t point = shuffled_index(place.index_reversed, seeds.order ^ place.seed);
+  if (at == 1) point = sobol_second_reversed(point);
+  if (at == 2) point = sobol_reversed(sobol_third, point);
+  if (at == 3) point = sobol_reversed(sobol_fourth, point);
+  return scrambled_unit(point, seeds.place[at] ^ place.seed);
 }
 
-// The numbers of random_unit() for 16 samples, drawn for all lanes at once, and pairs together: a
+// The numbers of random_unit() for 16 samples, drawn for all lanes at once, and sets together: a
 // fraction of the time where most lanes ask. The id must outlive it, as it is.
 class PacketRandom {
  public:
@@ -128,7 +153,7 @@ class PacketRandom {
 
   float operator()(int lane, Dimension dimension, std::uint32_t index) {
     const auto at = static_cast<std::size_t>(dimension);
-    if (drawn_[at] != index + 1) draw(first_of_pair(dimension), index);
+    if (drawn_[at] != index + 1) draw(first_of_set(dimension), index);
     return units_[at][lane];
   }
   const Lanes<float>& lanes(Dimension dimension, std::uint32_t index) {

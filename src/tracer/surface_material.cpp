@@ -1,5 +1,8 @@
 #include "tracer/surface_material.h"
 
+#include "tracer/footprint.h"
+#include "tracer/shading_normal.h"
+
 namespace restframe {
 namespace {
 
@@ -33,8 +36,9 @@ Vec4f texel(const MetSurface& met, const TextureUse& use) {
   if (use.texture < 0) return Vec4f(1);
   const Texture& texture = met.scene.textures[static_cast<std::size_t>(use.texture)];
   const Image& image = met.scene.images[static_cast<std::size_t>(texture.image)];
-  const Vec2f uv = uv_at(met.scene, met.frames, met.hits, met.lane, use.uv_set);
-  return sample_texture(texture, image, use.transform(uv));
+  const Vec2f uv = use.transform(uv_at(met.scene, met.frames, met.hits, met.lane, use.uv_set));
+  if (met.tables == nullptr || !(met.width > 0)) return sample_texture(texture, image, uv);
+  return sample_texture(texture, image, met.tables->mips(use.texture), uv, footprint(met, use));
 }
 
 float opacity(const MetSurface& met, float texture_alpha, double clock,
@@ -89,7 +93,7 @@ BsdfLayers layers(const MetSurface& met, double clock, TemporalEvaluator& evalua
   layers.coat = coat_of(met, clock, evaluator);
   if (layers.coat > 0.0F) {
     layers.coat_alpha = coat_alpha_of(met, clock, evaluator);
-    layers.coat_normal = met.surfaces.normal.at(met.lane);
+    layers.coat_normal = clearcoat_normal(met);
   }
   layers.sheen = glm::clamp(evaluator(m.sheen_color, clock), Vec3f(0), Vec3f(1));
   if (layers.sheen != Vec3f(0)) {
@@ -100,11 +104,10 @@ BsdfLayers layers(const MetSurface& met, double clock, TemporalEvaluator& evalua
   return layers;
 }
 
-float below_coat(const MetSurface& met, double clock, TemporalEvaluator& evaluator) {
+float below_coat(const MetSurface& met, float cosine, double clock, TemporalEvaluator& evaluator) {
   const float coat = coat_of(met, clock, evaluator);
   if (coat <= 0.0F) return 1.0F;
-  return 1.0F -
-         coat_reflection(coat, coat_alpha_of(met, clock, evaluator), met.surfaces.cosine[met.lane]);
+  return 1.0F - coat_reflection(coat, coat_alpha_of(met, clock, evaluator), cosine);
 }
 
 SurfaceData surface_data(const MetSurface& met, const ObjectPlace& place, const RayPacket& rays) {
