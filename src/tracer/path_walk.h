@@ -95,7 +95,9 @@ class PathWalk {
     // Per steradian in the rest frame there; 0 where lights were not looked for in that direction: after
     // mirrors, into and out of media, and before the first.
     Lanes<float> density;
-    Lanes<double> omega;  // the light's frequency there
+    Lanes<double> omega;        // the light's frequency there
+    Lanes<std::int32_t> frame;  // the rest frame there ...
+    Vec3fLanes facing;          // ... and where light was looked for, as Receiver has it
   };
   // What shines towards the paths from what they have met, before the emitter's factor: D65 light of
   // a colour, and colours of light of the materials' own spectra.
@@ -166,6 +168,7 @@ class PathWalk {
   void add_sampled(IncidentLanes& from, const Lanes<double>& density, const LitLanes& lit,
                    const ViewLobeLanes& lobes);
   void darken_insides(IncidentLanes& from) const;
+  Vec3f facing(int lane) const;
   void set_chosen(int lane, float density);
   float share_of_chance(int lane, double light_density) const;
   float share_of_sky(const Environment& sky, int lane) const;
