@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <map>
@@ -17,7 +19,7 @@ namespace restframe {
 namespace {
 
 constexpr std::size_t longest_name = 255;
-constexpr std::size_t most_channels = 128;
+constexpr std::size_t most_channels = 128, most_attributes = 1000;
 
 class HeaderBytes {
  public:
@@ -28,6 +30,7 @@ class HeaderBytes {
     throw InputError(on_one_line(what_ + ": EXR " + reason));
   }
 
+  std::size_t position() const { return position_; }
   bool at_end() const { return position_ == bytes_.size(); }
 
   std::span<const std::uint8_t> take(std::size_t count) {
@@ -108,6 +111,7 @@ std::vector<ExrChannel> channels(HeaderBytes value) {
     }
     channels.push_back(std::move(channel));
   }
+  if (!value.at_end()) value.fail("has a list of channels of another length than it says");
   return channels;
 }
 
@@ -124,29 +128,71 @@ std::vector<float> chromaticities(HeaderBytes value) {
   return all;
 }
 
+// The value of one attribute, of those that pictures need.
+struct Value {
+  HeaderBytes bytes;
+  std::string type;
+  std::size_t size;
+};
+
+// Those that OpenEXR needs, with what they must be; size 0: any.
+struct Needed {
+  const char *name, *type;
+  std::size_t size;
+};
+constexpr std::array needed_attributes = {
+    Needed{"channels", "chlist", 0},        Needed{"compression", "compression", 1},
+    Needed{"dataWindow", "box2i", 16},      Needed{"displayWindow", "box2i", 16},
+    Needed{"lineOrder", "lineOrder", 1},    Needed{"pixelAspectRatio", "float", 4},
+    Needed{"screenWindowCenter", "v2f", 8}, Needed{"screenWindowWidth", "float", 4},
+};
+
+std::map<std::string, Value> read_attributes(HeaderBytes& file, const std::string& what,
+                                             ExrHeader& header) {
+  std::map<std::string, Value> attributes;
+  for (std::string name = file.name(); !name.empty(); name = file.name()) {
+    const std::size_t type_at = file.position();
+    std::string type = file.name();
+    const auto size = file.number<std::int32_t>();
+    if (size < 0) file.fail("has an attribute of a negative size");
+    if (attributes.size() == most_attributes) {
+      file.fail(fmt::format("has more than {} attributes, the limit", most_attributes));
+    }
+    const HeaderBytes value(file.take(static_cast<std::size_t>(size)), what);
+    const bool is_needed = std::any_of(needed_attributes.begin(), needed_attributes.end(),
+                                       [&](const Needed& needed) { return needed.name == name; });
+    if (!is_needed) header.needless_types.emplace_back(type_at, type.size());
+    const auto length = static_cast<std::size_t>(size);
+    if (!attributes.emplace(std::move(name), Value{value, std::move(type), length}).second) {
+      file.fail("has two attributes of one name");
+    }
+  }
+  return attributes;
+}
+
 }  // namespace
 
 ExrHeader read_exr_header(std::span<const std::uint8_t> bytes, const std::string& what) {
   HeaderBytes file(bytes, what);
   check_kind(file);
-  std::map<std::string, HeaderBytes> attributes;
-  for (std::string name = file.name(); !name.empty(); name = file.name()) {
-    file.name();  // its type
-    const auto size = file.number<std::int32_t>();
-    if (size < 0) file.fail("has an attribute of a negative size");
-    const HeaderBytes value(file.take(static_cast<std::size_t>(size)), what);
-    if (!attributes.emplace(name, value).second) file.fail("has two attributes of one name");
-  }
-  for (const char* needed : {"channels", "compression", "dataWindow", "displayWindow"}) {
-    if (!attributes.contains(needed)) file.fail(fmt::format("has no attribute {}", needed));
-  }
   ExrHeader header;
-  header.channels = channels(attributes.at("channels"));
-  header.compression = compression(attributes.at("compression"));
-  header.data = window(attributes.at("dataWindow"));
-  header.display = window(attributes.at("displayWindow"));
+  const std::map<std::string, Value> attributes = read_attributes(file, what, header);
+  for (const Needed& needed : needed_attributes) {
+    const auto found = attributes.find(needed.name);
+    if (found == attributes.end()) file.fail(fmt::format("has no attribute {}", needed.name));
+    const Value& value = found->second;
+    if (value.type != needed.type || (needed.size != 0 && value.size != needed.size)) {
+      file.fail(fmt::format("has an attribute {} of a wrong type or size", needed.name));
+    }
+  }
+  header.channels = channels(attributes.at("channels").bytes);
+  header.compression = compression(attributes.at("compression").bytes);
+  header.data = window(attributes.at("dataWindow").bytes);
+  header.display = window(attributes.at("displayWindow").bytes);
   const auto primaries = attributes.find("chromaticities");
-  if (primaries != attributes.end()) header.chromaticities = chromaticities(primaries->second);
+  if (primaries != attributes.end()) {
+    header.chromaticities = chromaticities(primaries->second.bytes);
+  }
   return header;
 }
 

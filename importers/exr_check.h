@@ -2,10 +2,10 @@
 
 // What an OpenEXR file says of itself at its beginning, read with care before OpenEXR believes it.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace restframe {
@@ -28,6 +28,9 @@ struct ExrHeader {
   std::vector<ExrChannel> channels;
   ExrWindow data, display;
   int compression = 0;
+  // Where the types of the attributes stand that the picture needs none of (offset and length). What
+  // OpenEXR takes for a type that it knows it reads as long as that should be, whatever the file says.
+  std::vector<std::pair<std::size_t, std::size_t>> needless_types;
   // x and y of red, green, blue and white; empty: Rec. 709's.
   std::vector<float> chromaticities;
 };

@@ -156,6 +156,7 @@ Asset load_gltf(const Path& path, const ImportLimits& limits, Warnings& warnings
   decode_meshopt(context, document, buffers);
   decode_draco(context, document, buffers);
   tinygltf::Model model = parse_model(context, std::move(document), std::move(buffers));
+  share_images(images, model);
   Asset asset = assemble(context, model, images, std::move(tree_parts));
   asset.files = std::move(files);
   return asset;

@@ -152,39 +152,72 @@ Run sparse_values(const tinygltf::Model& model, const tinygltf::Accessor& access
   return run;
 }
 
+// Those elements of a run that are wanted, as stretches that lie side by side.
 template <class Element>
-std::vector<Element> read_elements(const GltfContext& context, const tinygltf::Model& model,
-                                   int index, const Element& missing, std::size_t room = 0) {
-  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
-  const Run run = run_of(model, accessor);
-  std::vector<Element> elements;
-  elements.reserve(std::max(run.count, room) +
-                   1);  // one more for Embree's reads past the last vertex
-  elements.resize(run.count, run.first == nullptr ? Element(0) : missing);
-  if (run.first != nullptr) copy_elements(run, elements.data());
-  if (!accessor.sparse.isSparse) return elements;
+void copy_wanted(Run run, const Wanted& wanted, Element* elements) {
+  if (wanted.elements == nullptr) return copy_elements(run, elements);
+  const std::vector<std::uint32_t>& which = *wanted.elements;
+  const std::uint8_t* begin = run.first;
+  for (std::size_t i = 0; i < which.size(); i += run.count) {
+    run.first = begin + which[i] * run.stride;
+    run.count = 1;
+    while (i + run.count < which.size() && which[i + run.count] == which[i] + run.count) {
+      ++run.count;
+    }
+    copy_elements(run, elements + i);
+  }
+}
+
+// Puts the values of a sparse accessor in their places.
+template <class Element>
+void replace_sparse(const GltfContext& context, const tinygltf::Model& model, int index,
+                    const Element& missing, const Wanted& wanted, std::vector<Element>& elements) {
   const std::vector<std::uint32_t> replaced = sparse_indices(context, model, index);
   std::vector<Element> values(replaced.size(), missing);
-  copy_elements(sparse_values(model, accessor), values.data());
-  for (std::size_t i = 0; i < replaced.size(); ++i) elements[replaced[i]] = values[i];
+  copy_elements(sparse_values(model, model.accessors[static_cast<std::size_t>(index)]),
+                values.data());
+  for (std::size_t i = 0; i < replaced.size(); ++i) {
+    std::size_t place = replaced[i];
+    if (wanted.elements != nullptr) {
+      const std::vector<std::uint32_t>& which = *wanted.elements;
+      const auto found = std::lower_bound(which.begin(), which.end(), replaced[i]);
+      if (found == which.end() || *found != replaced[i]) continue;
+      place = static_cast<std::size_t>(found - which.begin());
+    }
+    elements[place] = values[i];
+  }
+}
+
+template <class Element>
+std::vector<Element> read_elements(const GltfContext& context, const tinygltf::Model& model,
+                                   int index, const Element& missing, const Wanted& wanted = {}) {
+  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+  const Run run = run_of(model, accessor);
+  const std::size_t count = wanted.elements == nullptr ? run.count : wanted.elements->size();
+  std::vector<Element> elements;
+  elements.reserve(std::max(count, wanted.room) +
+                   1);  // one more for Embree's reads past the last vertex
+  elements.resize(count, run.first == nullptr ? Element(0) : missing);
+  if (run.first != nullptr) copy_wanted(run, wanted, elements.data());
+  if (accessor.sparse.isSparse) replace_sparse(context, model, index, missing, wanted, elements);
   return elements;
 }
 
 }  // namespace
 
 std::vector<Vec2f> read_vec2(const GltfContext& context, const tinygltf::Model& model, int accessor,
-                             std::size_t room) {
-  return read_elements(context, model, accessor, Vec2f(1), room);
+                             const Wanted& wanted) {
+  return read_elements(context, model, accessor, Vec2f(1), wanted);
 }
 
 std::vector<Vec3f> read_vec3(const GltfContext& context, const tinygltf::Model& model, int accessor,
-                             std::size_t room) {
-  return read_elements(context, model, accessor, Vec3f(1), room);
+                             const Wanted& wanted) {
+  return read_elements(context, model, accessor, Vec3f(1), wanted);
 }
 
 std::vector<Vec4f> read_vec4(const GltfContext& context, const tinygltf::Model& model, int accessor,
-                             std::size_t room) {
-  return read_elements(context, model, accessor, Vec4f(1), room);
+                             const Wanted& wanted) {
+  return read_elements(context, model, accessor, Vec4f(1), wanted);
 }
 
 std::vector<Mat4> read_mat4(const GltfContext& context, const tinygltf::Model& model,
@@ -211,6 +244,29 @@ void read_indices(const GltfContext& context, const tinygltf::Model& model, int 
   std::vector<std::uint32_t> values(replaced.size());
   copy_integers(sparse_values(model, accessor), values.data());
   for (std::size_t i = 0; i < replaced.size(); ++i) indices[replaced[i]] = values[i];
+}
+
+std::size_t count_indices(const GltfContext& context, const tinygltf::Model& model, int index,
+                          std::size_t end) {
+  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+  const Run run = run_of(model, accessor);
+  const bool is_plain = run.first != nullptr && !accessor.sparse.isSparse;
+  std::vector<std::uint32_t> block(is_plain ? std::min<std::size_t>(run.count, 4096) : run.count);
+  std::vector<bool> is_there(end, false);
+  for (std::size_t first = 0; first < run.count; first += block.size()) {
+    Run part = run;
+    part.first += is_plain ? first * run.stride : 0;
+    part.count = std::min(block.size(), run.count - first);
+    if (is_plain) {
+      copy_integers(part, block.data());
+    } else {
+      read_indices(context, model, index, block.data());
+    }
+    for (std::size_t i = 0; i < part.count; ++i) {
+      if (block[i] < end) is_there[block[i]] = true;
+    }
+  }
+  return static_cast<std::size_t>(std::count(is_there.begin(), is_there.end(), true));
 }
 
 }  // namespace restframe

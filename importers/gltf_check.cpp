@@ -31,12 +31,20 @@ Version read_version(const Place& place) {
   return version;
 }
 
+// glTF 1.0 was also written with a number, in which case that is the least of its faults.
+void check_number_of_version(const Place& version) {
+  if (!version.value().is_number() || version.value() == 2) return;
+  const Json number = version.value().get<double>();
+  version.fault("glTF " + number.dump() + ", only 2.0 can be read");
+}
+
 void check_asset(const Place& document) {
   document.require_member("asset");
   const Place asset = document.member("asset");
   asset.require_object();
   asset.require_member("version");
   const Place version = asset.member("version");
+  check_number_of_version(version);
   if (read_version(version).major != 2) {
     version.fault("glTF " + version.as_string() + ", only 2.0 can be read");
   }

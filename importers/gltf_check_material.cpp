@@ -82,24 +82,6 @@ void warn_of_left_out(const Place& document) {
   }
 }
 
-// Read, and kept for integrators to come.
-void warn_of_unshaded(const Place& document) {
-  constexpr std::array features = {Feature{nullptr, "normalTexture"},
-                                   Feature{"KHR_materials_transmission", "transmissionTexture"},
-                                   Feature{"KHR_materials_specular", nullptr},
-                                   Feature{"KHR_materials_clearcoat", nullptr},
-                                   Feature{"KHR_materials_sheen", nullptr}};
-  std::string list;
-  for (const Feature& feature : features) {
-    const std::size_t count = count_having(document, feature);
-    if (count == 0) continue;
-    list += (list.empty() ? "" : ", ") + std::string(feature.name()) + " of " +
-            std::to_string(count) + " materials";
-  }
-  if (list.empty()) return;
-  document.context().warn("/materials", "read, but nothing is shaded with it yet: " + list);
-}
-
 }  // namespace
 
 void check_materials(const Place& document) {
@@ -111,7 +93,6 @@ void check_materials(const Place& document) {
   for_each_object(document, "materials",
                   [&](const Place& material) { check_material(material, document); });
   warn_of_left_out(document);
-  warn_of_unshaded(document);
 }
 
 }  // namespace restframe

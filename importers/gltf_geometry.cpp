@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace restframe {
 namespace {
@@ -23,7 +24,7 @@ std::size_t first_outside(const std::vector<Element>& elements) {
 
 template <class Element>
 void check_within(const PrimitivePlace& place, const std::string& attribute,
-                  const std::vector<Element>& elements) {
+                  const std::vector<Element>& elements, std::size_t first) {
   const std::size_t i = first_outside(elements);
   if (i == elements.size()) return;
   std::string text;
@@ -32,7 +33,7 @@ void check_within(const PrimitivePlace& place, const std::string& attribute,
   }
   place.context.fault(
       place.pointer + "/attributes/" + attribute,
-      "vertex " + std::to_string(i) + " is (" + text + "), must be finite and below 1e15");
+      "vertex " + std::to_string(first + i) + " is (" + text + "), must be finite and below 1e15");
 }
 
 Vec3f area_normal(const Mesh& mesh, const Triangle& triangle) {
@@ -45,15 +46,16 @@ Vec3f area_normal(const Mesh& mesh, const Triangle& triangle) {
 
 }  // namespace
 
-void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& positions) {
-  check_within(place, "POSITION", positions);
+void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& positions,
+                     std::size_t first) {
+  check_within(place, "POSITION", positions, first);
 }
 
-void check_attributes(const PrimitivePlace& place, const Mesh& mesh) {
+void check_attributes(const PrimitivePlace& place, const Mesh& mesh, std::size_t first) {
   for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
-    check_within(place, "TEXCOORD_" + std::to_string(set), mesh.uvs[set]);
+    check_within(place, "TEXCOORD_" + std::to_string(set), mesh.uvs[set], first);
   }
-  check_within(place, "COLOR_0", mesh.colors);
+  check_within(place, "COLOR_0", mesh.colors, first);
 }
 
 void check_indices(const PrimitivePlace& place, const std::uint32_t* indices, std::size_t count,
@@ -111,24 +113,36 @@ void mend_tangents(const PrimitivePlace& place, Mesh& mesh) {
                      std::to_string(bad) + " tangents have no direction and are left out");
 }
 
+std::vector<std::uint32_t> renumber_used(std::vector<Triangle>& triangles) {
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), greatest = 0;
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      least = std::min(least, vertex);
+      greatest = std::max(greatest, vertex);
+    }
+  }
+  std::vector<std::uint32_t> used;
+  if (triangles.empty()) return used;
+  // 1 for those in use, then their new numbers. Others cost nothing here beyond that range.
+  std::vector<std::uint32_t> numbers(std::size_t{greatest} - least + 1, 0);
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) numbers[vertex - least] = 1;
+  }
+  used.reserve(static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), 1U)));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] == 0) continue;
+    numbers[i] = static_cast<std::uint32_t>(used.size());
+    used.push_back(least + static_cast<std::uint32_t>(i));
+  }
+  for (Triangle& triangle : triangles) {
+    for (std::uint32_t& vertex : triangle) vertex = numbers[vertex - least];
+  }
+  return used;
+}
+
 void drop_unused_vertices(Mesh& mesh) {
-  std::vector<std::uint8_t> is_used(mesh.positions.size(), 0);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t vertex : triangle) is_used[vertex] = 1;
-  }
-  const auto used = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
-  if (used == is_used.size()) return;
-  std::vector<std::uint32_t> renumbered(is_used.size(), 0), kept;
-  kept.reserve(used);
-  for (std::uint32_t i = 0; i < is_used.size(); ++i) {
-    if (is_used[i] == 0) continue;
-    renumbered[i] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(i);
-  }
-  take_vertices(mesh, kept, mesh);
-  for (Triangle& triangle : mesh.triangles) {
-    for (std::uint32_t& vertex : triangle) vertex = renumbered[vertex];
-  }
+  const std::vector<std::uint32_t> used = renumber_used(mesh.triangles);
+  if (used.size() < mesh.positions.size()) take_vertices(mesh, used, mesh);
 }
 
 }  // namespace restframe

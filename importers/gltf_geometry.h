@@ -16,8 +16,10 @@ struct PrimitivePlace {
 };
 
 // Faults: positions that are not finite or beyond 1e15; other attributes that are not finite.
-void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& positions);
-void check_attributes(const PrimitivePlace& place, const Mesh& mesh);
+// `first`: the number of the first vertex that is given.
+void check_positions(const PrimitivePlace& place, const std::vector<Vec3f>& positions,
+                     std::size_t first = 0);
+void check_attributes(const PrimitivePlace& place, const Mesh& mesh, std::size_t first = 0);
 
 // Fault: an index that is not below the number of vertices, or is `restart`, the greatest of its
 // component type, which elsewhere would begin a new strip.
@@ -31,6 +33,9 @@ void mend_normals(const PrimitivePlace& place, Mesh& mesh);
 // Tangents to unit length, and their signs to 1 or -1. Those that have no direction become 0, with a
 // warning.
 void mend_tangents(const PrimitivePlace& place, Mesh& mesh);
+
+// Numbers the vertices that triangles use from 0 on, in their order. Returns what their numbers were.
+std::vector<std::uint32_t> renumber_used(std::vector<Triangle>& triangles);
 
 // Removes vertices that no triangle uses: primitives often share one long list.
 void drop_unused_vertices(Mesh& mesh);

@@ -1,8 +1,10 @@
 #include "importers/gltf_images.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "importers/gltf_files.h"
 #include "importers/image_format.h"
@@ -31,6 +33,10 @@ ByteSpan bytes_of_view(const tinygltf::Model& model, int index) {
   return ByteSpan(data).subspan(view.byteOffset, view.byteLength);
 }
 
+std::string image_pointer(int image) {
+  return "/images/" + std::to_string(image);
+}
+
 // Of images, how many bytes more may be read and decoded.
 struct Budget {
   std::size_t file_bytes, pixel_bytes;
@@ -47,9 +53,10 @@ void warn_of_type(const GltfContext& context, const std::string& pointer, const 
                                           kind + " and read as that");
 }
 
-void open(const GltfContext& context, const tinygltf::Model& model, const ImageSource& source,
-          Decoding& image, Budget& left) {
-  const std::string pointer = "/images/" + std::to_string(image.used.image);
+void open(const GltfContext& context, const tinygltf::Model& model,
+          const std::vector<ImageSource>& sources, Decoding& image, Budget& left) {
+  const ImageSource& source = sources[static_cast<std::size_t>(image.used.image)];
+  const std::string pointer = image_pointer(image.used.image);
   image.place = context.place(pointer);
   if (source.view >= 0) {
     image.bytes = bytes_of_view(model, source.view);
@@ -59,6 +66,10 @@ void open(const GltfContext& context, const tinygltf::Model& model, const ImageS
     left.file_bytes -= image.file.size();
   }
   warn_of_type(context, pointer, source, image.bytes);
+  for (const int same : source.same) {
+    warn_of_type(context, image_pointer(same), sources[static_cast<std::size_t>(same)],
+                 image.bytes);
+  }
   image.pixels = count_image_pixels(image.bytes, image.place, context.limits);
   if (4 * image.pixels > left.pixel_bytes) {
     context.fault(pointer, "the images up to this one are larger than " +
@@ -82,7 +93,7 @@ std::vector<Decoding> open_all(const GltfContext& context, const tinygltf::Model
   Budget left{context.limits.total_bytes, context.limits.total_bytes};
   for (Decoding& image : images) {
     try {
-      open(context, model, sources[static_cast<std::size_t>(image.used.image)], image, left);
+      open(context, model, sources, image, left);
     } catch (const InputError& error) {
       image.fault = error.what();
       if (image.used.is_seen) break;  // nothing further counts
@@ -135,6 +146,27 @@ void decode_all(const GltfContext& context, std::vector<Decoding>& images, Asset
   }
 }
 
+// A view, or no view and a URI: the bytes are the same where these are.
+void find_same(std::vector<ImageSource>& sources) {
+  std::map<std::pair<int, std::string_view>, int> firsts;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    const auto [first, is_new] = firsts.try_emplace({sources[i].view, sources[i].uri}, index);
+    sources[i].same_as = first->second;
+    if (!is_new) sources[static_cast<std::size_t>(first->second)].same.push_back(index);
+  }
+}
+
+void warn_of_unused(const GltfContext& context, const std::vector<ImageSource>& sources,
+                    const std::vector<UsedImage>& used) {
+  std::size_t unused = sources.size();
+  for (const UsedImage& each : used) {
+    unused -= 1 + sources[static_cast<std::size_t>(each.image)].same.size();
+  }
+  if (unused == 0) return;
+  context.warn("/images", std::to_string(unused) + " images are not used");
+}
+
 // Materials go without it; one white pixel keeps its place.
 void leave_out(std::size_t image, Asset& asset) {
   asset.images[image].width = asset.images[image].height = 1;
@@ -163,15 +195,21 @@ std::vector<ImageSource> take_image_sources(Json& document) {
     sources.push_back(std::move(source));
   }
   document.erase("images");
+  find_same(sources);
   return sources;
+}
+
+void share_images(const std::vector<ImageSource>& sources, tinygltf::Model& model) {
+  for (tinygltf::Texture& texture : model.textures) {
+    if (texture.source < 0) continue;
+    texture.source = sources[static_cast<std::size_t>(texture.source)].same_as;
+  }
 }
 
 void read_images(const GltfContext& context, tinygltf::Model& model,
                  const std::vector<ImageSource>& sources, const std::vector<UsedImage>& used,
                  Asset& asset) {
-  if (used.size() < sources.size()) {
-    context.warn("/images", std::to_string(sources.size() - used.size()) + " images are not used");
-  }
+  warn_of_unused(context, sources, used);
   for (const UsedImage& each : used) {
     const std::string& name = sources[static_cast<std::size_t>(each.image)].name;
     asset.images.emplace_back().name = name.empty() ? "image_" + std::to_string(each.image) : name;

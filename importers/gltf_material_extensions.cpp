@@ -42,13 +42,17 @@ class Extension {
   const std::string& pointer_;
 };
 
-// How thick a body is, its mesh tells.
+// Without a volume that has a thickness, what lets light through is a sheet; how thick a body is
+// otherwise, its mesh tells.
 void read_glass(const Extension& transmission, const Extension& ior, const Extension& volume,
                 Material& material) {
   transmission.number("transmissionFactor", material.transmission);
   transmission.texture("transmissionTexture", TextureKind::data, material.transmission_texture);
   ior.number("ior", material.ior);
   if (material.ior.value == 0) material.ior.value = reflecting_ior;
+  TemporalNumber thickness{0.0F};
+  volume.number("thicknessFactor", thickness);
+  material.thin_walled = transmission.is_there() && thickness.value == 0.0F;
   volume.number("attenuationDistance", material.attenuation_distance);
   volume.color("attenuationColor", material.attenuation_color);
 }

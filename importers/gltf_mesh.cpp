@@ -25,7 +25,7 @@ Mesh read_mesh(const GltfContext& context, const tinygltf::Model& model, const P
   const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(posed.mesh)];
   const std::vector<tinygltf::Primitive>& primitives = source.primitives;
   const std::string pointer = "/meshes/" + std::to_string(posed.mesh);
-  WholeMesh whole = whole_of(model, source);
+  WholeMesh whole = whole_of(context, model, source);
   std::size_t surfaces = 0;
   Mesh mesh;
   for (std::size_t i = 0; i < primitives.size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
+#include <numeric>
 
 #include "importers/gltf_accessor.h"
 #include "importers/gltf_layout.h"
@@ -93,39 +93,85 @@ std::vector<Triangle> read_triangles(const PrimitivePlace& place, const tinygltf
 }
 
 std::vector<Vec4f> read_colors(const PrimitivePlace& place, const tinygltf::Model& model,
-                               int accessor, std::size_t room) {
-  std::vector<Vec4f> colors = read_vec4(place.context, model, accessor, room);
+                               int accessor, const Wanted& wanted) {
+  std::vector<Vec4f> colors = read_vec4(place.context, model, accessor, wanted);
   if (model.accessors[static_cast<std::size_t>(accessor)].type == TINYGLTF_TYPE_VEC3) {
     for (Vec4f& color : colors) color.w = 1;
   }
   return colors;
 }
 
-// Tangents without normals mean nothing, and are left out.
-Mesh read_attributes(const PrimitivePlace& place, const tinygltf::Model& model,
-                     const tinygltf::Primitive& primitive, std::size_t room) {
-  Mesh mesh;
-  mesh.positions = read_vec3(place.context, model, attribute(primitive, "POSITION"), room);
-  check_positions(place, mesh.positions);
+// The attributes besides positions. Tangents without normals mean nothing, and are left out.
+void read_attributes(const PrimitivePlace& place, const tinygltf::Model& model,
+                     const tinygltf::Primitive& primitive, const Wanted& wanted, Mesh& mesh) {
   const int normals = attribute(primitive, "NORMAL"), tangents = attribute(primitive, "TANGENT"),
             colors = attribute(primitive, "COLOR_0");
-  if (normals >= 0) mesh.normals = read_vec3(place.context, model, normals, room);
+  if (normals >= 0) mesh.normals = read_vec3(place.context, model, normals, wanted);
   if (normals >= 0 && tangents >= 0) {
-    mesh.tangents = read_vec4(place.context, model, tangents, room);
+    mesh.tangents = read_vec4(place.context, model, tangents, wanted);
   }
   for (std::size_t set = 0;; ++set) {
     const int uvs = attribute(primitive, "TEXCOORD_" + std::to_string(set));
     if (uvs < 0) break;
     if (set >= mesh.uvs.size()) mesh.uvs.emplace_back();
-    mesh.uvs[set] = read_vec2(place.context, model, uvs, room);
+    mesh.uvs[set] = read_vec2(place.context, model, uvs, wanted);
   }
-  if (colors >= 0) mesh.colors = read_colors(place, model, colors, room);
+  if (colors >= 0) mesh.colors = read_colors(place, model, colors, wanted);
+}
+
+Mesh read_vertices(const PrimitivePlace& place, const tinygltf::Model& model,
+                   const tinygltf::Primitive& primitive, const Wanted& wanted) {
+  Mesh mesh;
+  mesh.positions = read_vec3(place.context, model, attribute(primitive, "POSITION"), wanted);
+  check_positions(place, mesh.positions);
+  read_attributes(place, model, primitive, wanted, mesh);
   return mesh;
+}
+
+bool has_sparse(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+  for (const auto& [name, accessor] : primitive.attributes) {
+    if (model.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse) return true;
+  }
+  return false;
+}
+
+// Reports faults of vertices whether or not a triangle uses them. In blocks, which take next to no
+// memory; but sparse values, which each block would have to go through, all at once.
+void check_all_vertices(const PrimitivePlace& place, const tinygltf::Model& model,
+                        const tinygltf::Primitive& primitive, std::size_t count) {
+  const std::size_t block = has_sparse(model, primitive) ? count : std::size_t{16384};
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t first = 0; first < count; first += block) {
+    numbers.resize(std::min(block, count - first));
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
+    const Wanted wanted{&numbers, 0};
+    Mesh mesh;
+    mesh.positions = read_vec3(place.context, model, attribute(primitive, "POSITION"), wanted);
+    check_positions(place, mesh.positions, first);
+    read_attributes(place, model, primitive, wanted, mesh);
+    check_attributes(place, mesh, first);
+  }
 }
 
 // Triangles of a mirrored mesh turn their other side to us.
 void turn_over(std::vector<Triangle>& triangles) {
   for (Triangle& triangle : triangles) std::swap(triangle[1], triangle[2]);
+}
+
+// Poses its vertices, and mends what need not stop the import.
+void finish(const PrimitivePlace& place, const tinygltf::Model& model,
+            const tinygltf::Primitive& primitive, const PosedMesh& posed, Skins& skins,
+            Mesh& mesh) {
+  add_targets(place, model, primitive, posed.weights, mesh);
+  check_attributes(place, mesh);
+  for (Vec4f& color : mesh.colors) color = glm::clamp(color, 0.0F, 1.0F);  // glTF 2.0, 3.7.2.1
+  mend_normals(place, mesh);
+  mend_tangents(place, mesh);
+  if (posed.skin >= 0) {
+    apply_skin(place, model, primitive, skins.matrices(posed.skin), mesh);
+  }
+  check_positions(place, mesh.positions);
+  if (posed.mirrored) turn_over(mesh.triangles);
 }
 
 }  // namespace
@@ -136,42 +182,46 @@ bool is_surface(const tinygltf::Primitive& primitive) {
          primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
-WholeMesh whole_of(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
+WholeMesh whole_of(const GltfContext& context, const tinygltf::Model& model,
+                   const tinygltf::Mesh& mesh) {
   WholeMesh whole;
-  std::size_t surfaces = 0;
-  std::map<int, std::size_t> corners_of;  // by the accessor of the positions
+  std::vector<const tinygltf::Primitive*> surfaces;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
-    if (!is_surface(primitive)) continue;
-    ++surfaces;
-    const std::size_t corners = corner_count(model, primitive);
-    corners_of[attribute(primitive, "POSITION")] += corners;
-    whole.triangles += primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
+    if (is_surface(primitive)) surfaces.push_back(&primitive);
   }
-  for (const auto& [positions, corners] : corners_of) {
-    whole.vertices += std::min(corners, accessor_count(model, positions));
+  whole.shares_vertices = surfaces.size() > 1;
+  for (const tinygltf::Primitive* primitive : surfaces) {
+    const std::size_t corners = corner_count(model, *primitive);
+    whole.triangles += primitive->mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
+    const std::size_t vertices = accessor_count(model, attribute(*primitive, "POSITION"));
+    whole.vertices += whole.shares_vertices && primitive->indices >= 0
+                          ? count_indices(context, model, primitive->indices, vertices)
+                          : std::min(corners, vertices);
   }
-  whole.shares_vertices = surfaces > 1;
   return whole;
 }
 
 Mesh read_primitive(const PrimitivePlace& place, const tinygltf::Model& model,
                     const tinygltf::Primitive& primitive, const PosedMesh& posed, Skins& skins,
                     const WholeMesh& whole) {
-  Mesh mesh = read_attributes(place, model, primitive, whole.vertices);
-  add_targets(place, model, primitive, posed.weights, mesh);
-  check_attributes(place, mesh);
-  for (Vec4f& color : mesh.colors) color = glm::clamp(color, 0.0F, 1.0F);  // glTF 2.0, 3.7.2.1
-  mesh.triangles = read_triangles(place, model, primitive, mesh.positions.size(), whole.triangles);
-  mend_normals(place, mesh);
-  mend_tangents(place, mesh);
-  if (posed.skin >= 0) {
-    apply_skin(place, model, primitive, skins.matrices(posed.skin), mesh);
+  const std::size_t vertices = accessor_count(model, attribute(primitive, "POSITION"));
+  std::vector<Triangle> triangles =
+      read_triangles(place, model, primitive, vertices, whole.triangles);
+  const bool may_leave_out = whole.shares_vertices || 3 * triangles.size() < vertices;
+  const bool is_posed = posed.skin >= 0 || !posed.weights.empty();  // reads more than attributes
+  std::vector<std::uint32_t> used;
+  Wanted wanted{nullptr, whole.vertices};
+  if (may_leave_out && !is_posed) {
+    used = renumber_used(triangles);
+    if (used.size() < vertices) {
+      check_all_vertices(place, model, primitive, vertices);
+      wanted.elements = &used;
+    }
   }
-  check_positions(place, mesh.positions);
-  if (posed.mirrored) turn_over(mesh.triangles);
-  if (whole.shares_vertices || 3 * mesh.triangles.size() < mesh.positions.size()) {
-    drop_unused_vertices(mesh);
-  }
+  Mesh mesh = read_vertices(place, model, primitive, wanted);
+  mesh.triangles = std::move(triangles);
+  finish(place, model, primitive, posed, skins, mesh);
+  if (may_leave_out && is_posed) drop_unused_vertices(mesh);
   return mesh;
 }
 

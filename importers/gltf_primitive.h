@@ -18,9 +18,9 @@ struct WholeMesh {
   std::size_t vertices = 0, triangles = 0;
 };
 
-// The whole that a mesh's surfaces make. Primitives that share a list of vertices are taken to share
-// it out: where they do not, there are more vertices.
-WholeMesh whole_of(const tinygltf::Model& model, const tinygltf::Mesh& mesh);
+// The whole that a mesh's surfaces make.
+WholeMesh whole_of(const GltfContext& context, const tinygltf::Model& model,
+                   const tinygltf::Mesh& mesh);
 
 // Its vertices and triangles in their rest pose; no normals where it has none: glTF's shading
 // is flat then.

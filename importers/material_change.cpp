@@ -46,6 +46,7 @@ void apply(const MaterialChange& change, Material& material) {
   if (change.spectrum.any()) material.emission = {Vec3f(1)};
   for (const auto& [member, property] : change.colors) set(property, material.*member);
   if (change.base_color_texture == false) material.base_color_texture = {};
+  if (change.thin_walled) material.thin_walled = *change.thin_walled;
   if (change.unlit) material.unlit = *change.unlit;
   const bool see_through = material.opacity.function != no_function || material.opacity.value < 1;
   if (opacity_given && see_through && material.alpha_mode == AlphaMode::opaque) {

@@ -12,10 +12,6 @@
 namespace restframe {
 namespace {
 
-bool lets_light_in(const Material& material) {
-  return material.transmission.function != no_function || material.transmission.value > 0;
-}
-
 // A slot of a mesh that shows a material.
 using GlassUse = std::tuple<int, int, int>;  // mesh, slot, material
 
@@ -28,7 +24,7 @@ std::map<GlassUse, std::set<std::size_t>> find_glass(const Scene& scene) {
       for (const MaterialRange& range :
            scene.meshes[static_cast<std::size_t>(part.mesh)].materials) {
         const int material = object.materials[static_cast<std::size_t>(range.slot)];
-        if (!lets_light_in(scene.materials[static_cast<std::size_t>(material)])) continue;
+        if (!refracts(scene.materials[static_cast<std::size_t>(material)])) continue;
         uses[{part.mesh, range.slot, material}].insert(i);
       }
     }

@@ -91,7 +91,7 @@ struct MaterialChange {
   std::vector<std::pair<TemporalNumber Material::*, Property>> numbers;
   std::vector<std::pair<TemporalColor Material::*, Property>> colors;
   SpectrumChange spectrum;  // of its emission
-  std::optional<bool> base_color_texture, unlit;
+  std::optional<bool> base_color_texture, thin_walled, unlit;
 };
 
 // [scene], [animation], [exposure], [render], [output]

@@ -33,6 +33,7 @@ void read_properties(TableReader& material, MaterialChange& change, SceneFile& f
     if (property) change.numbers.emplace_back(p.member, *property);
   }
   change.base_color_texture = material.boolean("base_color_texture");
+  change.thin_walled = material.boolean("thin_walled");
   change.unlit = material.boolean("unlit");
 }
 

@@ -10,16 +10,15 @@ namespace restframe {
 namespace {
 
 // In the order of the enumerations Layer and Compression.
-const std::vector<std::string> layer_names = {"beauty", "Z", "time", "doppler",
-                                              "N",      "P", "UV",   "id"};
+const std::vector<std::string> layer_names = {"beauty", "Z",  "time", "doppler",  "N",
+                                              "P",      "UV", "id",   "variance", "samples"};
 const std::vector<std::string> compression_names = {"none", "rle",   "zips", "zip",
                                                     "piz",  "pxr24", "dwaa", "dwab"};
 
 bool is_later_layer(const std::string& name) {
   static const std::vector<std::string> later = {
-      "motion",        "albedo",          "normal",       "direct",   "indirect",
-      "emission",      "reflection",      "transmission", "variance", "samples",
-      "crypto_object", "crypto_material", "crypto_asset"};
+      "motion",     "albedo",       "normal",        "direct",          "indirect",    "emission",
+      "reflection", "transmission", "crypto_object", "crypto_material", "crypto_asset"};
   return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
 }
 
@@ -63,6 +62,7 @@ void read_render(TableReader& root, SceneFile& file) {
   RenderSettings& settings = file.scene.render;
   read_resolution(render, settings);
   settings.samples = render.integer("samples", 1, 65'536).value_or(settings.samples);
+  settings.noise = render.number("noise", from_to(0, 1)).value_or(settings.noise);
   settings.beaming = render.boolean("beaming").value_or(settings.beaming);
   settings.seed = static_cast<std::uint64_t>(
       render.whole_number("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0));
@@ -134,6 +134,11 @@ void read_output(TableReader& root, SceneFile& file) {
     settings.compression = static_cast<Compression>(*index);
   }
   settings.preview = output.boolean("preview").value_or(settings.preview);
+  settings.exposure =
+      output.number("exposure", from_to(-most_stops, most_stops)).value_or(settings.exposure);
+  if (const auto index = output.choice("view", {"srgb", "filmic"})) {
+    settings.view = static_cast<ViewTransform>(*index);
+  }
   output.not_supported({"split"});
   output.finish();
 }

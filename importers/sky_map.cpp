@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -21,9 +22,11 @@ namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
+// Attributes that nothing needs have types that OpenEXR does not know, so it passes them over.
 class MemoryStream : public Imf::IStream {
  public:
-  explicit MemoryStream(ByteSpan bytes) : IStream("memory"), bytes_(bytes) {}
+  MemoryStream(ByteSpan bytes, const ExrHeader& header)
+      : IStream("memory"), bytes_(bytes), header_(header) {}
 
   bool read(char to[], int count) override {
     const std::size_t left = position_ < bytes_.size() ? bytes_.size() - position_ : 0;
@@ -31,6 +34,7 @@ class MemoryStream : public Imf::IStream {
       throw std::runtime_error("the file ends early");
     }
     std::memcpy(to, bytes_.data() + position_, static_cast<std::size_t>(count));
+    hide_types(to, static_cast<std::size_t>(count));
     position_ += static_cast<std::size_t>(count);
     return position_ < bytes_.size();
   }
@@ -39,7 +43,19 @@ class MemoryStream : public Imf::IStream {
   void clear() override {}
 
  private:
+  void hide_types(char to[], std::size_t count) const {
+    if (header_.needless_types.empty()) return;
+    const auto& [last, last_length] = header_.needless_types.back();
+    if (position_ >= last + last_length) return;
+    for (const auto& [begin, length] : header_.needless_types) {
+      for (std::size_t i = begin; i < begin + length; ++i) {
+        if (i >= position_ && i < position_ + count) to[i - position_] = 'x';
+      }
+    }
+  }
+
   ByteSpan bytes_;
+  const ExrHeader& header_;
   std::uint64_t position_ = 0;
 };
 
@@ -101,8 +117,9 @@ void check_header(const ExrHeader& header, const std::string& what, const Import
   }
 }
 
-void read_pixels(ByteSpan bytes, const std::array<const char*, 3>& names, SkyMap& map) {
-  MemoryStream stream(bytes);
+void read_pixels(ByteSpan bytes, const ExrHeader& header, const std::array<const char*, 3>& names,
+                 SkyMap& map) {
+  MemoryStream stream(bytes, header);
   Imf::InputFile file(stream, 0);
   const Imath::Box2i window = file.header().dataWindow();
   Imf::FrameBuffer buffer;
@@ -149,7 +166,7 @@ SkyMap decode_sky_map(ByteSpan bytes, const std::string& what, const ImportLimit
   map.height = static_cast<int>(header.data.height());
   map.pixels.resize(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
   try {
-    read_pixels(bytes, names, map);
+    read_pixels(bytes, header, names, map);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -161,12 +161,19 @@ TEST(Canonical, ChangesWithSettings) {
       {"width", [](Scene& s) { s.render.width = 10; }},
       {"height", [](Scene& s) { s.render.height = 10; }},
       {"samples", [](Scene& s) { s.render.samples = 17; }},
+      {"noise", [](Scene& s) { s.render.noise = 0.01; }},
       {"integrator", [](Scene& s) { s.render.integrator = IntegratorKind::path; }},
       {"depth", [](Scene& s) { s.render.depth = 3; }},
       {"beaming", [](Scene& s) { s.render.beaming = true; }},
       {"doppler", [](Scene& s) { s.render.doppler = true; }},
-      {"band", [](Scene& s) { s.render.observe = WavelengthBand{500, 900}; }},
-      {"band's end", [](Scene& s) { s.render.observe = WavelengthBand{500, 901}; }},
+      {"band",
+       [](Scene& s) {
+         s.render.observe = WavelengthBand{500, 900};
+       }},
+      {"band's end",
+       [](Scene& s) {
+         s.render.observe = WavelengthBand{500, 901};
+       }},
       {"seed", [](Scene& s) { s.render.seed = ~0ULL; }},
       {"layers", [](Scene& s) { s.output.layers.push_back(Layer::time); }},
       {"compression", [](Scene& s) { s.output.compression = Compression::dwaa; }},
@@ -267,9 +274,17 @@ TEST(Canonical, ChangesWithMaterials) {
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
       {"temperature", [](Scene& s) { s.materials[0].emission_temperature.value = 3000; }},
-      {"temperature's function", [](Scene& s) { s.materials[0].emission_temperature.function = 0; }},
-      {"spectrum", [](Scene& s) { s.materials[0].emission_spectrum.points = {{400, 1}, {500, 1}}; }},
-      {"lines", [](Scene& s) { s.materials[0].emission_spectrum.lines = {{400, 1, 1}}; }},
+      {"temperature's function",
+       [](Scene& s) { s.materials[0].emission_temperature.function = 0; }},
+      {"spectrum",
+       [](Scene& s) {
+         s.materials[0].emission_spectrum.points = {{400, 1}, {500, 1}};
+       }},
+      {"lines",
+       [](Scene& s) {
+         s.materials[0].emission_spectrum.lines = {{400, 1, 1}};
+       }},
+      {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
   });
 }
 
@@ -324,10 +339,22 @@ TEST(Canonical, ChangesWithLights) {
       {"group", [](Scene& s) { s.lights[1].group = "key"; }},
       {"temperature", [](Scene& s) { s.lights[1].temperature.value = 3000; }},
       {"temperature's function", [](Scene& s) { s.lights[1].temperature.function = 0; }},
-      {"spectrum", [](Scene& s) { s.lights[1].spectrum.points = {{400, 1}, {500, 1}}; }},
-      {"spectrum's values", [](Scene& s) { s.lights[1].spectrum.points = {{400, 1}, {500, 2}}; }},
-      {"lines", [](Scene& s) { s.lights[1].spectrum.lines = {{400, 1, 1}}; }},
-      {"lines' widths", [](Scene& s) { s.lights[1].spectrum.lines = {{400, 1, 2}}; }},
+      {"spectrum",
+       [](Scene& s) {
+         s.lights[1].spectrum.points = {{400, 1}, {500, 1}};
+       }},
+      {"spectrum's values",
+       [](Scene& s) {
+         s.lights[1].spectrum.points = {{400, 1}, {500, 2}};
+       }},
+      {"lines",
+       [](Scene& s) {
+         s.lights[1].spectrum.lines = {{400, 1, 1}};
+       }},
+      {"lines' widths",
+       [](Scene& s) {
+         s.lights[1].spectrum.lines = {{400, 1, 2}};
+       }},
       {"a light more", [](Scene& s) { s.lights.emplace_back(); }},
       {"no map", [](Scene& s) { s.lights[1].sky_map = -1; }},
       {"another map", [](Scene& s) { s.lights[1].sky_map = 1; }},
@@ -371,6 +398,8 @@ TEST(Canonical, StaysWithWhatChangesNoPixel) {
   const std::map<std::string, Change> changes = {
       {"path", [](Scene& s) { s.output.path = "elsewhere/#.exr"; }},
       {"preview", [](Scene& s) { s.output.preview = false; }},
+      {"the preview's exposure", [](Scene& s) { s.output.exposure = -3; }},
+      {"the preview's view", [](Scene& s) { s.output.view = ViewTransform::filmic; }},
       {"pictures", [](Scene& s) { s.animation.pictures = 100; }},
       {"sources",
        [](Scene& s) {

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "film/png_preview.h"
+#include "support/exr_writer.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -108,6 +109,9 @@ void expect_the_same_bytes(const std::string& scene) {
   folder.write("board.obj", kBoard);
   folder.write("board.mtl", "newmtl board\nKd 1 1 1\nmap_Kd board.png\n");
   write_texture(folder.path() / "board.png");
+  folder.write("sky.exr", sky_exr(32, 16, [](int x, int y) {
+                 return x == 7 && y == 3 ? Vec3f(90) : Vec3f(0.01F * static_cast<float>(x + y));
+               }));
   const std::string one = pictures_with(folder, 1);
   ASSERT_GT(one.size(), 20000U);
   EXPECT_TRUE(one == pictures_with(folder, 2));
@@ -123,6 +127,19 @@ TEST(Determinism, TheSameBytesWithAllThatIsDrawnAtRandom) {
   const std::string before = "look_at = [0, 0, 0]\n";
   scene.insert(scene.find(before), "aperture = 0.1\nfocus = 4\nrolling = 0.05\n");
   scene += "[exposure]\nshutter = 0.1\nopening = \"triangle\"\ncount = 2\ninterval = 0.2\n";
+  expect_the_same_bytes(scene);
+}
+
+// The same scene lit by what glows in it, by its lattice of many velocities' lights and by a map.
+TEST(Determinism, TheSameBytesWithLightTransport) {
+  std::string scene = kScene;
+  const std::string before = "samples = 3\n";
+  scene.insert(scene.find(before), "integrator = \"path\"\nbeaming = true\ndepth = 4\n");
+  scene +=
+      "[[material]]\nname = \"rods\"\nobject = \"lattice\"\nemission = {formula = \"0.5 + "
+      "0.5*sin(9*t)\", from = \"blue\", to = \"white\"}\n[[light]]\ntype = \"environment\"\n"
+      "file = \"sky.exr\"\nvelocity = [0.3, 0, 0.4]\n[[light]]\ntype = \"point\"\nposition "
+      "= [1, 3, 2]\n";
   expect_the_same_bytes(scene);
 }
 

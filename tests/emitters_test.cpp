@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
+#include <tuple>
 
 #include "scene/parallel.h"
 #include "support/picture_statistics.h"
+#include "support/velocity_grid.h"
 #include "tracer/emitter_points.h"
 #include "tracer/emitter_power.h"
 
@@ -24,7 +27,7 @@ TEST(AliasTable, ChoosesByWeight) {
   for (int i = 0; i < steps; ++i) counts[table.choose((i + 0.5) / steps)] += 1.0 / steps;
   for (std::uint32_t i = 0; i < weights.size(); ++i) {
     EXPECT_NEAR(counts[i], weights[i] / table.total(), 3e-6) << i;
-    EXPECT_DOUBLE_EQ(table.chance(i), weights[i] / table.total());
+    EXPECT_NEAR(table.chance(i), weights[i] / table.total(), 1e-7);
   }
 }
 
@@ -67,40 +70,114 @@ Scene scene_of_quads() {
   return scene;
 }
 
-TEST(Emitters, AreChosenByAreaTimesEmission) {
-  const Scene scene = scene_of_quads();
-  const FrameSet frames(scene, 1);
-  const Emitters emitters(scene, frames);
-  ASSERT_FALSE(emitters.empty());
-  double sum = 0;
+// Calls visit(frame, part, triangle) for all of the scene of quads.
+template <class Visit>
+void for_each_triangle(const FrameSet& frames, const Visit& visit) {
   for (std::int32_t frame = 0; frame < static_cast<std::int32_t>(frames.frames().size()); ++frame) {
     for (std::uint32_t part = 0; part < frames.frame(frame).parts().size(); ++part) {
-      for (std::uint32_t t = 0; t < 5; ++t) {
-        const double chance = emitters.chance(frame, part, t);
-        const double area = rest_triangle(scene, frames.frame(frame).part(part), t).area;
-        const double power = t < 2 ? 2 : t < 4 ? 1 : 0;
-        // 2^(2/3) for the stretched one's 2: areas count on average over directions.
-        const bool stretched = frames.frame(frame).part(part).rest_from_mesh[0].x < 0;
-        const double seen_area = stretched ? area / 2 * std::cbrt(4.0) : area;
-        EXPECT_NEAR(chance, power * seen_area / ((2 + std::cbrt(4.0)) * 5), 1e-9);
-        sum += chance;
-      }
+      for (std::uint32_t t = 0; t < 5; ++t) visit(frame, part, t);
     }
   }
-  EXPECT_NEAR(sum, 1, 1e-12);
 }
 
+TEST(Emitters, AreChosenByAreaTimesEmissionWithoutATree) {
+  const Scene scene = scene_of_quads();
+  const FrameSet frames(scene, 1);
+  const Emitters emitters(scene, frames, 0);
+  ASSERT_FALSE(emitters.empty());
+  double sum = 0;
+  for_each_triangle(frames, [&](std::int32_t frame, std::uint32_t part, std::uint32_t t) {
+    const FramePart& placed = frames.frame(frame).part(part);
+    const double chance = emitters.chance(frame, part, t, {1, 2, 3});
+    const double power = t < 2 ? 2 : t < 4 ? 1 : 0;
+    const double area = rest_triangle(scene, placed, t).area;
+    // 2^(2/3) for the stretched one's 2: areas count on average over directions.
+    const double counted = placed.rest_from_mesh[0].x < 0 ? area / 2 * std::cbrt(4.0) : area;
+    EXPECT_NEAR(chance, power * counted / ((2 + std::cbrt(4.0)) * 5), 1e-7);
+    sum += chance;
+  });
+  EXPECT_NEAR(sum, 1, 1e-6);
+}
+
+// From places all around, with and without a hierarchy: what is chosen has the chance that is told,
+// no less often than that, and all chances of a frame are the frame's.
 TEST(Emitters, TellTheChanceOfWhatTheyChoose) {
   const Scene scene = scene_of_quads();
   const FrameSet frames(scene, 1);
-  const Emitters emitters(scene, frames);
-  for (int i = 0; i < 1000; ++i) {
-    const auto chosen = emitters.choose((i + 0.5) / 1000, std::fmod(i * 0.618, 1.0));
-    const EmittingPatch& patch = *chosen.patch;
-    EXPECT_GT(chosen.chance, 0);
-    EXPECT_EQ(chosen.chance, emitters.chance(patch.frame, patch.part, chosen.triangle));
-    EXPECT_LT(chosen.triangle, 4U);
+  for (const std::size_t most_leaves : {0, 100}) {
+    const Emitters emitters(scene, frames, most_leaves);
+    for (const Vec3& place : {Vec3(0.3, 0.4, 2), Vec3(4, -1, 0.2), Vec3(-3, 0.5, 100)}) {
+      std::map<std::tuple<std::int32_t, std::uint32_t, std::uint32_t>, double> counts;
+      std::vector<double> of_frame(frames.frames().size());
+      constexpr int steps = 200'000;
+      for (int i = 0; i < steps; ++i) {
+        const std::int32_t frame = emitters.choose_frame((i + 0.5) / steps);
+        const auto chosen = emitters.choose(frame, place, std::fmod(i * 0.6180339887498949, 1.0));
+        const EmittingPatch& patch = *chosen.patch;
+        ASSERT_GT(chosen.chance, 0);
+        ASSERT_NEAR(chosen.chance, emitters.chance(frame, patch.part, chosen.triangle, place),
+                    1e-12);
+        EXPECT_EQ(patch.frame, frame);
+        counts[{frame, patch.part, chosen.triangle}] += 1.0 / steps;
+        of_frame[static_cast<std::size_t>(frame)] += 1.0 / steps;
+      }
+      for_each_triangle(frames, [&](std::int32_t frame, std::uint32_t part, std::uint32_t t) {
+        const double chance = emitters.chance(frame, part, t, place);
+        EXPECT_NEAR((counts[{frame, part, t}]), chance, 1e-3);
+        of_frame[static_cast<std::size_t>(frame)] -= chance;
+      });
+      for (const double left : of_frame) EXPECT_NEAR(left, 0, 1e-5);
+    }
   }
+}
+
+// From behind all of them there is none to choose, unless backs shine, too.
+TEST(Emitters, ThatFaceAwayAreNotChosen) {
+  Scene scene = scene_of_quads();
+  const FrameSet frames(scene, 1);
+  const Emitters one_sided(scene, frames);
+  EXPECT_EQ(one_sided.choose(0, {0.5, 0.5, -2}, 0.5).chance, 0);
+  EXPECT_EQ(one_sided.chance(0, 0, 1, {0.5, 0.5, -2}), 0);
+  for (Material& material : scene.materials) material.double_sided = true;
+  const Emitters two_sided(scene, frames);
+  EXPECT_GT(two_sided.choose(0, {0.5, 0.5, -2}, 0.5).chance, 0);
+}
+
+// Of a thousand equal triangles all over a room the near ones that face the place are preferred: the
+// weights of what is chosen are much more even than by power.
+TEST(EmitterTree, EvensOutWhatComesFromMany) {
+  std::mt19937_64 generator(7);
+  std::uniform_real_distribution<double> number(-5, 5);
+  std::vector<TreeLeaf> leaves;
+  const std::vector<Vec3> normals = random_directions(1000, 8);
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    TreeLeaf leaf;
+    leaf.lower = {number(generator), number(generator), number(generator)};
+    leaf.upper = leaf.lower + Vec3(0.05);
+    leaf.normal = normals[i];
+    leaf.power = 1;
+    leaf.index = i;
+    leaves.push_back(leaf);
+  }
+  const EmitterTree tree(leaves);
+  double sum = 0, by_tree = 0, by_power = 0, chances = 0;
+  const Vec3 place(0.3, -0.2, 0.1);
+  for (const TreeLeaf& leaf : leaves) {
+    const Vec3 away = place - 0.5 * (leaf.lower + leaf.upper);
+    const double r = glm::length(away);
+    const double comes = std::max(0.0, glm::dot(away, leaf.normal)) / (r * r * r);
+    const double chance = tree.chance(place, leaf.index);
+    chances += chance;
+    if (comes <= 0) continue;
+    ASSERT_GT(chance, 0);
+    sum += comes;
+    by_tree += comes * comes / chance;
+    by_power += comes * comes * 1000;
+  }
+  // Where neither half of a node can face the place after all, nothing is chosen.
+  EXPECT_LT(chances, 1 + 1e-6);
+  EXPECT_GT(chances, 0.8);
+  EXPECT_LT(by_tree - sum * sum, 0.3 * (by_power - sum * sum));
 }
 
 TEST(Emitters, FaceTheFrontHoweverTheyArePlaced) {
@@ -181,6 +258,7 @@ Scene sphere_around(const Vec3& velocity) {
   scene.meshes = {mesh};
   scene.materials.resize(1);
   scene.materials[0].emission.value = Vec3f(1);
+  scene.materials[0].double_sided = true;
   Object object;
   object.name = "sphere";
   object.parts = {{0, Mat4(1)}};
@@ -209,18 +287,18 @@ TEST_P(SeenPoints, HaveDensitiesOfTheSurfacesFrame) {
   for (int p = 0; p < packets; ++p) {
     PointNumbers numbers;
     for (int i = 0; i < packet_size; ++i) {
-      numbers.patch[i] = static_cast<double>(number(generator));
+      numbers.frame[i] = number(generator);
       numbers.triangle[i] = static_cast<double>(number(generator));
       numbers.u[i] = number(generator);
       numbers.v[i] = number(generator);
     }
     EmitterPoints points;
-    choose_points(stage, lit.active, numbers, points);
+    choose_points(stage, event, lit.active, numbers, points);
     PointsSeen seen;
     IncidentLanes incident;
     see_points(stage, event, lit, points, seen, incident);
     for (int i = 0; i < packet_size; ++i) {
-      ASSERT_NE(incident.active[i], 0);
+      if (incident.active[i] == 0) continue;
       const Vec3f d = incident.direction.at(i);
       const std::size_t octant = (d.x < 0 ? 1U : 0U) + (d.y < 0 ? 2U : 0U) + (d.z < 0 ? 4U : 0U);
       sums[octant] += 1 / seen.density[i];

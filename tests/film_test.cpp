@@ -57,8 +57,9 @@ TEST(FilmOffsets, NoTwoAreTheSame) {
   EXPECT_EQ(seen.size(), 10'000U);
 }
 
-const std::vector<Layer> all_layers = {Layer::beauty, Layer::z,        Layer::time, Layer::doppler,
-                                       Layer::normal, Layer::position, Layer::uv,   Layer::id};
+const std::vector<Layer> all_layers = {
+    Layer::beauty,   Layer::z,  Layer::time, Layer::doppler,  Layer::normal,
+    Layer::position, Layer::uv, Layer::id,   Layer::variance, Layer::samples};
 
 TEST(Layers, TheTableHasEachOnce) {
   std::set<Layer> layers;
@@ -68,14 +69,17 @@ TEST(Layers, TheTableHasEachOnce) {
     layers.insert(info.layer);
     names.insert(info.scene_name);
     for (const DataChannel& channel : info.channels) channels.insert(channel.exr_name);
-    channel_count += info.channels.size();
+    for (const StatisticChannel& channel : info.statistics) channels.insert(channel.exr_name);
+    channel_count += info.channels.size() + info.statistics.size();
   }
   EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
   EXPECT_EQ(layer_table().size(), all_layers.size());
-  EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id"}));
+  EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
+                                          "variance", "samples"}));
   EXPECT_EQ(channels, (std::set<std::string>{"Z", "time_proper.V", "time_world.V", "doppler.D",
                                              "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "UV.U",
-                                             "UV.V", "id_object.V", "id_material.V"}));
+                                             "UV.V", "id_object.V", "id_material.V", "variance.R",
+                                             "variance.G", "variance.B", "samples.V"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
@@ -126,6 +130,7 @@ TEST(Exr, HoldsWhatWasSet) {
   }
   picture.set_radiance(2, 1, {0.5F, 0.25F, 2.0F, 1.0F});
   picture.set_data(2, 1, surface());
+  picture.set_statistics(2, 1, {{0.25F, 0.5F, inf}, 48});
   const ExrPicture exr = written(picture).exr;
   EXPECT_EQ(exr.width, 3);
   EXPECT_EQ(exr.height, 2);
@@ -146,7 +151,11 @@ TEST(Exr, HoldsWhatWasSet) {
                                                  {"UV.U", 0.125F},
                                                  {"UV.V", 0.875F},
                                                  {"id_object.V", 3.0F},
-                                                 {"id_material.V", 5.0F}};
+                                                 {"id_material.V", 5.0F},
+                                                 {"variance.R", 0.25F},
+                                                 {"variance.G", 0.5F},
+                                                 {"variance.B", std::numeric_limits<float>::max()},
+                                                 {"samples.V", 48.0F}};
   EXPECT_EQ(exr.channels.size(), expected.size());
   for (const auto& [name, value] : expected) {
     EXPECT_EQ(exr.at(name, 2, 1), value) << name;

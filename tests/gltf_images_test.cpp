@@ -83,10 +83,10 @@ TEST_F(GltfImages, GoByTheirOwnOrder) {
 // A hundred of 10 x 10 pixels, 400 bytes each, that share their bytes in the file.
 TEST_F(GltfImages, AllTogetherHaveALimit) {
   GltfBuilder builder = with_images(std::vector<std::string>(100, gray_image(10, 1)));
-  for (json& image : builder.json["images"]) image["bufferView"] = 2;
-  builder.bin.resize(1000);
   json& views = builder.json["bufferViews"];
-  views = json(views.begin(), views.begin() + 3);
+  for (json& image : builder.json["images"])
+    views[image["bufferView"].get<std::size_t>()] = views[2];
+  builder.bin.resize(1000);
   ImportLimits limits;
   limits.total_bytes = 40'000;
   EXPECT_EQ(test::fault_of_bytes(builder.glb(), limits), "");
@@ -105,6 +105,28 @@ TEST_F(GltfImages, AreWhatTheirBytesSay) {
   folder_.write("picture.jpg", gray_image(1, 7));
   builder.json["images"][1] = {{"uri", "picture.jpg"}};
   EXPECT_EQ(load(builder).images.at(1).rgba.at(0), 7);
+}
+
+// Many exporters write an image for each texture, all of the same file.
+TEST_F(GltfImages, OfTheSameBytesAreDecodedOnce) {
+  GltfBuilder builder = with_images({gray_image(1, 1), gray_image(1, 2), gray_image(1, 3)});
+  json& images = builder.json["images"];
+  folder_.write("picture.png", gray_image(1, 7));
+  images[0] = {{"uri", "picture.png"}};
+  images[2] = {{"uri", "picture.png"}, {"mimeType", "image/jpeg"}};
+  images.push_back(images[1]);
+  builder.json["textures"][1]["source"] = 3;
+  const Asset asset = load(builder);
+  ASSERT_EQ(asset.images.size(), 2U);
+  EXPECT_EQ(asset.images[0].rgba.at(0), 7);
+  EXPECT_EQ(asset.images[1].rgba.at(0), 2);
+  const int expected[] = {0, 1, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int texture = asset.materials.at(i).base_color_texture.texture;
+    EXPECT_EQ(asset.textures.at(static_cast<std::size_t>(texture)).image, expected[i]);
+  }
+  ASSERT_EQ(warnings_.size(), 1U);
+  EXPECT_TRUE(warned(":/images/2/mimeType: is \"image/jpeg\", but the image is PNG"));
 }
 
 }  // namespace

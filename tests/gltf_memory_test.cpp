@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <limits>
+
 #include "support/gltf_builder.h"
+#include "support/gltf_faults.h"
 #include "support/gltf_reading.h"
 #include "support/image_files.h"
 
@@ -77,6 +81,44 @@ TEST_F(GltfMemory, SharedVerticesAreNoMoreThanTheFileHas) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(mesh.positions[mesh.triangles[i][0]], Vec3f(first_corners[i], 0, 0));
   }
+}
+
+// Only those vertices are read that a primitive uses, whatever lies between them, but faults show in
+// all.
+TEST_F(GltfMemory, UnusedVerticesAreNotReadButChecked) {
+  GltfBuilder builder;
+  json one = primitive(builder, 4, 0, "TEXCOORD_0");
+  const std::vector<std::uint16_t> indices = {9, 2, 4, 2, 4, 9};
+  one["indices"] = builder.add_accessor(indices, "SCALAR");
+  const int replaced = builder.add_view(std::vector<std::uint16_t>{3, 4, 11, 0});
+  const int values = builder.add_view(std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  builder.json["accessors"][0]["sparse"] = {
+      {"count", 3},
+      {"indices", {{"bufferView", replaced}, {"componentType", 5123}}},
+      {"values", {{"bufferView", values}}}};
+  builder.add_mesh(one);
+  const Asset asset = load(builder);
+  const Mesh& mesh = asset.meshes.at(0);
+  EXPECT_EQ(mesh.positions, (std::vector<Vec3f>{{0, 1, 0}, {4, 5, 6}, {3, 0, 0}}));
+  EXPECT_EQ(mesh.uvs[0], std::vector<Vec2f>(3, Vec2f(0.25F)));
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{2, 0, 1}, {0, 1, 2}}));
+
+  const float infinite = std::numeric_limits<float>::infinity();
+  std::memcpy(builder.bin.data() + 12 * 7 + 4, &infinite, sizeof infinite);
+  test::expect_fault(test::fault_of_bytes(builder.glb()),
+                     "/meshes/0/primitives/0/attributes/POSITION: vertex 7 is (2.5");
+}
+
+// Many blocks of vertices, of which the last has the fault.
+TEST_F(GltfMemory, FaultsOfUnusedVerticesHaveTheirNumber) {
+  GltfBuilder builder;
+  std::vector<float> positions = row(20'000, 0);
+  positions[3 * 50'001] = std::numeric_limits<float>::quiet_NaN();
+  json one = {{"attributes", {{"POSITION", builder.add_accessor(positions, "VEC3")}}}};
+  one["indices"] = builder.add_accessor(std::vector<std::uint16_t>{9, 10, 11}, "SCALAR");
+  builder.add_mesh(one);
+  test::expect_fault(test::fault_of_bytes(builder.glb()),
+                     "/meshes/0/primitives/0/attributes/POSITION: vertex 50001 is (");
 }
 
 // The buffers go before the images are decoded: where images are the lesser part of them, and where

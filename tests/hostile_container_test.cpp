@@ -59,6 +59,7 @@ TEST_F(HostileContainer, Versions) {
   expect_bytes_refused(with(4, 1), " GLB version 1, only version 2");
   expect_bytes_refused(with(4, 3), " GLB version 3, only version 2");
   expect_set("/asset/version", "1.0", "/asset/version: glTF 1.0, only 2.0");
+  expect_set("/asset/version", 1, "/asset/version: glTF 1.0, only 2.0");
   expect_set("/asset/version", "3.0", "/asset/version: glTF 3.0, only 2.0");
   expect_set("/asset/minVersion", "2.1", "/asset/minVersion: needs glTF 2.1");
   expect_set("/extensionsRequired", {"KHR_nonsense"},

@@ -31,7 +31,7 @@ PacketId packet(std::uint64_t seed) {
 const std::array counters = {
     Counter{"picture", [](PacketId& id, std::uint32_t n) { id.picture = n; }},
     Counter{"pixel", [](PacketId& id, std::uint32_t n) { id.pixel[0] = n; }},
-    Counter{"sample", [](PacketId& id, std::uint32_t n) { id.sample = n; }},
+    Counter{"replicate", [](PacketId& id, std::uint32_t n) { id.replicate = n; }},
     Counter{"seed", [](PacketId& id, std::uint32_t n) { id.seed = n; }},
 };
 

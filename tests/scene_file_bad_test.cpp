@@ -106,6 +106,9 @@ TEST_F(BadScene, TypesAndRanges) {
        {"2:15: ", "width is 0, must be from 1 to 32768"}},
       {in_section("render", "resolution = [10]"), {"2:14: ", "[width, height]"}},
       {in_section("render", "samples = 65537"), {"2:11: ", "must be from 1 to 65536"}},
+      {in_section("render", "noise = 1.5"), {"2:9: ", "noise is 1.5, must be from 0 to 1"}},
+      {in_section("output", "exposure = 100"), {"2:12: ", "exposure is 100"}},
+      {in_section("output", "view = \"aces\""), {"2:8: ", "srgb, filmic"}},
       {in_section("render", "seed = -1"), {"2:8: ", "seed is -1"}},
       {in_section("render", "beaming = 1"), {"2:11: ", "true or false"}},
       {in_section("render", "integrator = \"preveiw\""), {"2:14: ", "\"preview\""}},
@@ -200,6 +203,7 @@ TEST_F(BadScene, Materials) {
       {in_material("clearcote = 1"), {"6:1: ", "\"clearcoat\""}},
       {in_material("opacity = true"), {"6:11: ", "must be a number"}},
       {in_material("unlit = 1"), {"6:9: ", "true or false"}},
+      {in_material("thin_walled = \"yes\""), {"6:15: ", "true or false"}},
   });
 }
 

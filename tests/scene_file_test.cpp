@@ -59,6 +59,7 @@ combine = "sum"
 [render]
 resolution = [640, 360]
 samples = 4
+noise = 0.02
 integrator = "preview"
 doppler = false
 beaming = true
@@ -68,6 +69,8 @@ path = "out/lattice.####.exr"
 layers = ["beauty", "Z", "time", "doppler", "N", "P", "UV", "id"]
 compression = "dwab"
 preview = false
+exposure = -1.5
+view = "filmic"
 [[object]]
 name = "lattice"
 lattice = {cells = [2, 3, 4], pitch = 1, ball = 0.2, rod = 0.05, fineness = 1, instances = "none"}
@@ -93,6 +96,7 @@ scale = 4.0
   EXPECT_EQ(scene.render.width, 640);
   EXPECT_EQ(scene.render.height, 360);
   EXPECT_EQ(scene.render.samples, 4);
+  EXPECT_EQ(scene.render.noise, 0.02);
   EXPECT_TRUE(scene.render.beaming);
   EXPECT_EQ(scene.render.seed, 7U);
   EXPECT_EQ(scene.output.path, "out/lattice.####.exr");
@@ -101,6 +105,8 @@ scale = 4.0
                           Layer::position, Layer::uv, Layer::id));
   EXPECT_EQ(scene.output.compression, Compression::dwab);
   EXPECT_FALSE(scene.output.preview);
+  EXPECT_EQ(scene.output.exposure, -1.5);
+  EXPECT_EQ(scene.output.view, ViewTransform::filmic);
   ASSERT_EQ(scene.objects.size(), 1U);
   const Object& object = scene.objects[0];
   EXPECT_EQ(object.name, "lattice");
@@ -176,6 +182,7 @@ roughness = 0.25
 emission = [0, 2, 0]
 emission_strength = 3
 unlit = true
+thin_walled = true
 )");
   const Material& material = slot(scene, 0, balls);
   EXPECT_EQ(material.name, "balls");
@@ -185,6 +192,7 @@ unlit = true
   EXPECT_EQ(material.emission.value, Vec3f(0, 2, 0));
   EXPECT_EQ(material.emission_strength.value, 3);
   EXPECT_TRUE(material.unlit);
+  EXPECT_TRUE(material.thin_walled);
   EXPECT_FALSE(slot(scene, 0, rods).unlit);
 }
 

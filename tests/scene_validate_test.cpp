@@ -61,6 +61,31 @@ TEST(Validate, AnEmptySceneHasNoObject) {
   EXPECT_THAT(validate(Scene()), ElementsAre(HasSubstr("no object")));
 }
 
+// Where how sure pixels are can not be told.
+TEST(Validate, Noise) {
+  const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
+    EXPECT_THAT(faults(spoil), ElementsAre(HasSubstr(words)));
+  };
+  const auto measured = [](Scene& s) { s.output.layers.push_back(Layer::variance); };
+  one([](Scene& s) { s.render.noise = 0.01, s.render.samples = 3; }, "at least 4, it is 3");
+  one([&](Scene& s) { measured(s), s.render.samples = 1; }, "\"variance\" needs samples");
+  const auto combined = [](Scene& s, Combine combine) {
+    s.exposure.count = 2;
+    s.exposure.combine = combine;
+  };
+  one([&](Scene& s) { s.render.noise = 0.01, combined(s, Combine::max); }, "\"max\"");
+  one([&](Scene& s) { measured(s), combined(s, Combine::max); }, "\"max\"");
+  one([](Scene& s) { s.output.layers = {Layer::samples}; }, "tell of the beauty");
+  EXPECT_THAT(faults([&](Scene& s) {
+                measured(s), combined(s, Combine::sum);
+                s.render.noise = 0.01;
+                s.render.samples = 4;
+                s.output.layers.push_back(Layer::samples);
+              }),
+              IsEmpty());
+  EXPECT_THAT(faults([&](Scene& s) { combined(s, Combine::max); }), IsEmpty());
+}
+
 TEST(Validate, Settings) {
   const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
     EXPECT_THAT(faults(spoil), ElementsAre(HasSubstr(words)));
@@ -82,6 +107,10 @@ TEST(Validate, Settings) {
         s.render.observe = WavelengthBand{600, 500};
       },
       "observe: from 600 to 500 nm");
+  one([](Scene& s) { s.render.noise = -0.1; }, "noise is -0.1, must be from 0 to 1");
+  one([](Scene& s) { s.render.noise = std::nan(""); }, "noise is");
+  one([](Scene& s) { s.output.exposure = 65; }, "exposure is 65, must be from -64 to 64");
+  one([](Scene& s) { s.output.exposure = std::nan(""); }, "exposure is nan");
   one([](Scene& s) { s.output.path = "a.png"; }, ".exr");
   one([](Scene& s) { s.output.path = "a.exr", s.animation.pictures = 2; }, "run of #");
   one([](Scene& s) { s.output.path = "#/#.exr"; }, "one run of #");

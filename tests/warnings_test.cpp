@@ -15,7 +15,7 @@ TEST(Warnings, AreALineEachWhateverTheyQuote) {
 }
 
 TEST(InputError, HasFaultsOfALineEach) {
-  const InputError error({"a\tb", "c\nd"});
+  const InputError error(std::vector<std::string>{"a\tb", "c\nd"});
   EXPECT_STREQ(error.what(), "a?b");
   EXPECT_EQ(error.faults(), (std::vector<std::string>{"a?b", "c?d"}));
   EXPECT_STREQ(InputError("e\x7f").what(), "e?");

@@ -69,7 +69,7 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
 }
 
 struct Texts {
-  std::string pictures, size, cells, instances = "nodes", speeds;
+  std::string pictures, size, cells, instances = "nodes", speeds, view;
 };
 
 CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
@@ -81,11 +81,21 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
   command->add_option("-p,--pictures", texts.pictures, "Only these: 7, or 0-119");
   command->add_option("--size", texts.size, "Width and height in pixels: 640x360");
   command->add_option("--samples", render.samples, "Samples a pixel")->check(CLI::Range(1, 65536));
+  command
+      ->add_option("--noise", render.noise,
+                   "Stop where pixels are this sure, as 0.02: --samples is then the most; 0: never")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--threads", render.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 1024));
   command->add_option("--variant", render.variant,
                       "The look of this name that a glTF asset comes in (KHR_materials_variants)");
   command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
+  command
+      ->add_option("--exposure", render.exposure,
+                   "Stops by which the .png, not the .exr, is brightened")
+      ->check(CLI::Range(-most_stops, most_stops));
+  command->add_option("--view", texts.view, "How the .png shows light beyond white")
+      ->check(CLI::IsMember({"srgb", "filmic"}));
   command->add_option("--video", render.video,
                       "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");
   command->add_option("--contact-sheet", render.contact_sheet,
@@ -136,6 +146,8 @@ RenderOptions completed(RenderOptions render, const Texts& texts) {
     render.width = width;
     render.height = height;
   }
+  if (!texts.view.empty())
+    render.view = texts.view == "filmic" ? ViewTransform::filmic : ViewTransform::srgb;
   return render;
 }
 

@@ -7,6 +7,7 @@
 
 #include "importers/importers.h"
 #include "scene/generators.h"
+#include "scene/settings.h"
 
 namespace restframe {
 
@@ -20,6 +21,9 @@ struct RenderOptions {
   std::optional<std::string> variant;  // of an asset that is rendered without a scene file
   std::optional<PictureRange> pictures;
   std::optional<int> width, height, samples;
+  std::optional<double> noise;
+  std::optional<double> exposure;  // of the previews
+  std::optional<ViewTransform> view;
   int threads = 0;  // 0: all cores
   bool overwrite = false;
   bool quiet = false;

@@ -4,13 +4,15 @@
 #include <future>
 
 #include "film/exr_file.h"
+#include "film/view_transform.h"
 
 namespace restframe {
 
 // Writes a picture while the next one renders.
 class PictureWriter {
  public:
-  explicit PictureWriter(bool preview) : preview_(preview) {}
+  explicit PictureWriter(const OutputSettings& settings)
+      : preview_(settings.preview), development_(development(settings)) {}
   ~PictureWriter();
 
   // Waits for the picture before; rethrows what went wrong with it. `picture` must stay as it is until the
@@ -23,6 +25,7 @@ class PictureWriter {
 
  private:
   bool preview_;
+  Development development_;
   std::future<WriteReport> pending_;
   std::size_t clamped_ = 0;
 };

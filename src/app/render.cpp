@@ -22,6 +22,9 @@ void apply(const RenderOptions& options, Scene& scene) {
   if (options.width) scene.render.width = *options.width;
   if (options.height) scene.render.height = *options.height;
   if (options.samples) scene.render.samples = *options.samples;
+  if (options.noise) scene.render.noise = *options.noise;
+  if (options.exposure) scene.output.exposure = *options.exposure;
+  if (options.view) scene.output.view = *options.view;
   if (wants_show(options)) scene.output.preview = true;  // it is made of the previews
 }
 
@@ -69,7 +72,7 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
   // One is rendered while the other is written.
   std::vector<Picture> pictures(std::min<std::size_t>(numbers.size(), 2), blank_picture(scene));
   const PictureInfo common = common_info(scene);
-  PictureWriter writer(scene.output.preview);
+  PictureWriter writer(scene.output);
   std::size_t empty = 0;
   std::size_t current = 0;
   for (const int number : numbers) {

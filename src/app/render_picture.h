@@ -23,11 +23,14 @@ double picture_time(const AnimationSettings& animation, int number);
 // Over all exposures.
 std::size_t samples_a_pixel(const Scene& scene);
 
+// Whether it is found out how sure the pixels of the beauty are: to stop early, or as a layer.
+bool measures_noise(const Scene& scene);
+
 // An empty picture with the scene's size and layers.
 Picture blank_picture(const Scene& scene);
 
-// Writes every pixel of `picture`. The same bits for any number of threads. Throws Interrupted when a signal came, and InputError
-// where a formula gives no finite value.
+// Writes every pixel of `picture`. The same bits for any number of threads. Throws Interrupted when a
+// signal came, and InputError where a formula gives no finite value.
 void render_picture(const RenderContext& context, int number, Picture& picture);
 
 }  // namespace restframe

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace restframe {
@@ -45,6 +46,20 @@ constexpr std::array id_channels{DataChannel{"id_object.V", ChannelKind::plain, 
                                  DataChannel{"id_material.V", ChannelKind::plain, 0.0,
                                              [](Data d, Units) { return d.material + 1.0; }}};
 
+using Statistics = const SampleStatistics&;
+
+float within_float(float value) {
+  return std::isnan(value) ? 0.0F : std::min(value, std::numeric_limits<float>::max());
+}
+
+constexpr std::array variance_channels{
+    StatisticChannel{"variance.R", [](Statistics s) { return within_float(s.variance.x); }},
+    StatisticChannel{"variance.G", [](Statistics s) { return within_float(s.variance.y); }},
+    StatisticChannel{"variance.B", [](Statistics s) { return within_float(s.variance.z); }}};
+
+constexpr std::array sample_channels{
+    StatisticChannel{"samples.V", [](Statistics s) { return static_cast<float>(s.samples); }}};
+
 constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
                            LayerInfo{Layer::z, "Z", distance_channels},
                            LayerInfo{Layer::time, "time", time_channels},
@@ -52,7 +67,21 @@ constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
                            LayerInfo{Layer::normal, "N", normal_channels},
                            LayerInfo{Layer::position, "P", position_channels},
                            LayerInfo{Layer::uv, "UV", uv_channels},
-                           LayerInfo{Layer::id, "id", id_channels}};
+                           LayerInfo{Layer::id, "id", id_channels},
+                           LayerInfo{Layer::variance, "variance", {}, variance_channels},
+                           LayerInfo{Layer::samples, "samples", {}, sample_channels}};
+
+template <class Channel>
+std::vector<Channel> channels_of(std::span<const Layer> layers,
+                                 std::span<const Channel> LayerInfo::*of_layer) {
+  std::vector<Channel> channels;
+  for (const LayerInfo& info : table) {
+    if (std::find(layers.begin(), layers.end(), info.layer) == layers.end()) continue;
+    const std::span<const Channel> own = info.*of_layer;
+    channels.insert(channels.end(), own.begin(), own.end());
+  }
+  return channels;
+}
 
 }  // namespace
 
@@ -61,12 +90,11 @@ std::span<const LayerInfo> layer_table() {
 }
 
 std::vector<DataChannel> data_channels(std::span<const Layer> layers) {
-  std::vector<DataChannel> channels;
-  for (const LayerInfo& info : table) {
-    if (std::find(layers.begin(), layers.end(), info.layer) == layers.end()) continue;
-    channels.insert(channels.end(), info.channels.begin(), info.channels.end());
-  }
-  return channels;
+  return channels_of(layers, &LayerInfo::channels);
+}
+
+std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers) {
+  return channels_of(layers, &LayerInfo::statistics);
 }
 
 }  // namespace restframe

@@ -29,15 +29,28 @@ struct DataChannel {
   double (*value)(const SurfaceData&, const DataUnits&);
 };
 
+// What a pixel's samples tell of its mean.
+struct SampleStatistics {
+  Vec3f variance{0};  // of the mean of red, green and blue
+  int samples = 0;    // of all exposures
+};
+
+struct StatisticChannel {
+  const char* exr_name;
+  float (*value)(const SampleStatistics&);
+};
+
 struct LayerInfo {
   Layer layer;
-  const char* scene_name;                 // in the scene file's output.layers
-  std::span<const DataChannel> channels;  // empty for the beauty
+  const char* scene_name;                             // in the scene file's output.layers
+  std::span<const DataChannel> channels;              // empty for the beauty
+  std::span<const StatisticChannel> statistics = {};  // of the beauty
 };
 
 std::span<const LayerInfo> layer_table();
 
 // The channels of these layers, in the table's order.
 std::vector<DataChannel> data_channels(std::span<const Layer> layers);
+std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers);
 
 }  // namespace restframe

@@ -148,6 +148,10 @@ void encode(const Picture& picture, const PictureInfo& info, MemoryStream& strea
     }
     add_channel(header, buffer, pixels.channel.exr_name, Imf::FLOAT, values, sizeof(float), width);
   }
+  for (const StatisticPixels& pixels : picture.statistics()) {
+    add_channel(header, buffer, pixels.channel.exr_name, Imf::FLOAT, pixels.values.data(),
+                sizeof(float), width);
+  }
   Imf::OutputFile file(stream, header);
   file.setFrameBuffer(buffer);
   file.writePixels(picture.height());

@@ -17,6 +17,9 @@ Picture::Picture(int width, int height, std::span<const Layer> layers, const Dat
     }
     channels_.push_back(std::move(pixels_of));
   }
+  for (const StatisticChannel& channel : statistic_channels(layers)) {
+    statistics_.push_back({channel, std::vector<float>(pixels)});
+  }
 }
 
 bool Picture::shows_nothing() const {
@@ -34,6 +37,12 @@ void Picture::set_data(int x, int y, const SurfaceData& data) {
     } else {
       pixels.times[i] = value;
     }
+  }
+}
+
+void Picture::set_statistics(int x, int y, const SampleStatistics& statistics) {
+  for (StatisticPixels& pixels : statistics_) {
+    pixels.values[index(x, y)] = pixels.channel.value(statistics);
   }
 }
 

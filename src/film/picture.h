@@ -16,6 +16,12 @@ struct ChannelPixels {
   std::vector<double> times;  // of a time
 };
 
+// One channel of what the samples of the beauty tell.
+struct StatisticPixels {
+  StatisticChannel channel;
+  std::vector<float> values;
+};
+
 // The pixels of one picture, row by row from the top. Each pixel is written by one thread.
 class Picture {
  public:
@@ -29,6 +35,8 @@ class Picture {
   bool shows_nothing() const;
   const AlignedVector<Vec4f>& rgba() const { return rgba_; }
   const std::vector<ChannelPixels>& channels() const { return channels_; }
+  bool has_statistics() const { return !statistics_.empty(); }
+  const std::vector<StatisticPixels>& statistics() const { return statistics_; }
 
   // The pixels from (x, y) on to the right, which must lie in the picture.
   void set_radiance_row(int x, int y, std::span<const Vec4f> pixels) {
@@ -38,6 +46,7 @@ class Picture {
   }
   void set_radiance(int x, int y, const Vec4f& rgba) { set_radiance_row(x, y, {&rgba, 1}); }
   void set_data(int x, int y, const SurfaceData& data);
+  void set_statistics(int x, int y, const SampleStatistics& statistics);
 
  private:
   std::size_t index(int x, int y) const {
@@ -49,6 +58,7 @@ class Picture {
   DataUnits units_;
   AlignedVector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
   std::vector<ChannelPixels> channels_;
+  std::vector<StatisticPixels> statistics_;
 };
 
 }  // namespace restframe

@@ -30,11 +30,12 @@ std::uint8_t byte_of(float encoded) {
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Picture& picture) {
+void write_png(const std::filesystem::path& path, const Picture& picture,
+               const Development& development) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(3 * picture.rgba().size());
   for (const Vec4f& pixel : picture.rgba()) {
-    const Vec3f encoded = srgb_from_linear(Vec3f(pixel));
+    const Vec3f encoded = srgb_from_linear(developed(Vec3f(pixel), development));
     for (int i = 0; i < 3; ++i) rgb.push_back(byte_of(encoded[i]));
   }
   write_png(path, picture.width(), picture.height(), rgb);

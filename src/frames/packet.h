@@ -102,8 +102,12 @@ struct RayPacket {
   WaveVectorLanes<in::World> k;
   Lanes<double> s_min;         // 0, or where the last surface was passed
   Lanes<std::int32_t> active;  // Embree's convention: -1 active, 0 not
-  bool coherent = true;        // from one event, or nearly so, and close together
+  bool coherent = true;        // close together: from one event, nearly so, or where such rays hit
   bool one_event = false;      // all lanes' origins are the same, as long as they are coherent
+  // Where textures are to be filtered: the angle that a camera's ray stands for, in its frame. By
+  // this the width of the ray's cone grows with s, in every frame.
+  bool has_spread = false;
+  Lanes<float> spread;
 };
 
 // Light within a medium, traced back in time: points are origin + s step. In the medium's rest

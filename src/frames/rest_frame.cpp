@@ -154,6 +154,7 @@ void RestFrame::build_many(const EmbreeDevice& device, std::span<const Traversab
     if (uses_of_mesh[static_cast<std::size_t>(part.mesh)] > 1 &&
         can_be_instanced(part.traversal_from_local)) {
       part.instanced = true;
+      has_instances_ = true;
       octants_hold_ = octants_hold_ && keeps_octants(Mat3(part.traversal_from_local));
       part.positions = mesh.positions();
       geometry = instance_geometry(device, mesh.scene.get(), part.traversal_from_local);

@@ -120,6 +120,7 @@ class RestFrame {
   void find_hits(LocalRays& local, const Lanes<double>& s_min, const Lanes<std::int32_t>& active,
                  bool coherent, bool fresh, int own_index, HitPacket& hits) const;
   unsigned context_flags(const LocalRays& local, bool coherent) const;
+  unsigned shadow_flags(const LocalRays& local, bool coherent) const;
   // Of a hit's triangle, in traversal coordinates.
   std::array<Vec3, 3> corners(const HitPacket& hits, int lane) const;
   // Lanes outside of the group get the triangle of lane `first`.
@@ -140,6 +141,7 @@ class RestFrame {
   Vec3 rest_from_traversal_offset_{0};
   double traversal_scale_ = 1;  // the longest that a unit vector of the rest frame gets, about
   double noise_at_end_ = 0;
+  bool has_instances_ = false;
   bool octants_hold_ = true;          // rays of one octant stay so inside every instance
   bool traversal_is_turned_ = false;  // or scaled: the linear part is not the identity
 };

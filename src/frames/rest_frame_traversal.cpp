@@ -209,12 +209,15 @@ LocalRays RestFrame::localised(const MediumRayPacket& rays) const {
   return local;
 }
 
-// Embree's coherent traversal is for rays of the camera only: of rays that begin far apart, its
-// rtcOccluded16 did not come back.
 unsigned RestFrame::context_flags(const LocalRays& local, bool coherent) const {
   return coherent && octants_hold_ && share_an_octant(local)
              ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
              : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+}
+
+// Where there are instances, rtcOccluded16 of coherent rays does not always come back (Embree 3.13).
+unsigned RestFrame::shadow_flags(const LocalRays& local, bool coherent) const {
+  return context_flags(local, coherent && !has_instances_);
 }
 
 void RestFrame::find_hits(LocalRays& local, const Lanes<double>& s_min,
@@ -268,7 +271,7 @@ RESTFRAME_CLONES void RestFrame::find_blocked(const RayPacket& rays, const Lanes
   narrow(traversal_scale_, local, query);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  context.flags = static_cast<RTCIntersectContextFlags>(shadow_flags(local, rays.coherent));
   rtcOccluded16(&local.active[0], traversed_, &context, &query);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {

@@ -121,8 +121,8 @@ void add_material(Listing& list, const Material& m, const std::string& key) {
     if (use.texture >= 0) list.add(fmt::format("{}.{}", key, property.name), text_of(use));
   }
   list.add(key + ".flags",
-           fmt::format("{} {} {} {} {}", static_cast<int>(m.alpha_mode), m.alpha_cutoff,
-                       m.double_sided, m.unlit, m.clearcoat_normal_scale));
+           fmt::format("{} {} {} {} {} {}", static_cast<int>(m.alpha_mode), m.alpha_cutoff,
+                       m.double_sided, m.unlit, m.thin_walled, m.clearcoat_normal_scale));
 }
 
 // What the images show is told by the assets' files.
@@ -200,6 +200,7 @@ std::string canonical_settings(const Scene& scene) {
   add_exposure(list, scene.exposure);
   list.add("render.resolution", fmt::format("{} {}", scene.render.width, scene.render.height));
   list.add("render.samples", scene.render.samples);
+  list.add("render.noise", scene.render.noise);
   list.add("render.integrator", static_cast<int>(scene.render.integrator));
   list.add("render.depth", scene.render.depth);
   list.add("render.beaming", scene.render.beaming ? "true" : "false");

@@ -44,6 +44,9 @@ struct Material {
   TemporalNumber ior{1.5F};
   TemporalNumber transmission{0.0F};  // fraction of the light below the surface that goes through
   TextureUse transmission_texture;
+  // A sheet that light goes through straight on, but for roughness; else its mesh bounds a body, which
+  // refracts.
+  bool thin_walled = false;
   // What is left of white light, inside, after this distance (scene lengths, rest frame); 0: nothing
   // is lost, however far.
   TemporalColor attenuation_color{Vec3f(1)};
@@ -67,9 +70,14 @@ struct Material {
 // for 4e-6 of it.
 inline constexpr float reflecting_ior = 1e6F;
 
-// Light can be inside of what is made of it.
+// Light goes through it.
 inline bool can_transmit(const Material& material) {
   return material.transmission.value > 0.0F || material.transmission.function != no_function;
+}
+
+// Light can be inside of what is made of it.
+inline bool refracts(const Material& material) {
+  return can_transmit(material) && !material.thin_walled;
 }
 
 }  // namespace restframe

@@ -25,8 +25,8 @@ struct Mesh {
   std::vector<Vec3f> positions;  // capacity of one more than size: Embree reads 16 bytes a vertex
   std::vector<Triangle> triangles;
   std::vector<Vec3f> normals;  // unit length; empty: the triangles' own
-  // Along +U of the first UV set, unit length; w is 1 where +V runs along cross(normal, tangent), -1
-  // where against. 0 where a part of the mesh has none. Only with normals.
+  // Along +U of the first UV set, unit length; w is 1 where -V (an image's upper side) is along
+  // cross(normal, tangent), -1 where against. 0 where a part has none. Only with normals.
   std::vector<Vec4f> tangents;
   // As many sets as the file gives, any of them empty; the first two are always there.
   std::vector<std::vector<Vec2f>> uvs = std::vector<std::vector<Vec2f>>(2);

@@ -32,6 +32,33 @@ void check_band(const RenderSettings& render, Faults& faults) {
   }
 }
 
+// What the noise of pixels is told from, and where it can not be told.
+void check_noise(const Scene& scene, Faults& faults) {
+  const double noise = scene.render.noise;
+  if (!(noise >= 0 && noise <= 1)) {
+    faults.push_back(fmt::format("render: noise is {}, must be from 0 to 1", noise));
+  }
+  const std::vector<Layer>& layers = scene.output.layers;
+  const auto wants = [&](Layer layer) {
+    return std::find(layers.begin(), layers.end(), layer) != layers.end();
+  };
+  const bool statistics = wants(Layer::variance) || wants(Layer::samples);
+  if (statistics && !wants(Layer::beauty)) {
+    faults.push_back(
+        "output: the layers \"variance\" and \"samples\" tell of the beauty; add \"beauty\"");
+  }
+  if (!(noise > 0) && !wants(Layer::variance)) return;
+  const char* what = noise > 0 ? "render: noise" : "output: the layer \"variance\"";
+  if (scene.render.samples < least_measured_samples) {
+    faults.push_back(fmt::format("{} needs samples to be at least {}, it is {}", what,
+                                 least_measured_samples, scene.render.samples));
+  }
+  if (scene.exposure.count > 1 && scene.exposure.combine == Combine::max) {
+    faults.push_back(fmt::format(
+        "{} can not be told of exposures combined by \"max\"; \"sum\" and \"mean\" can", what));
+  }
+}
+
 void check_settings(const Scene& scene, Faults& faults) {
   check_positive(scene.light_speed, "light_speed", faults);
   check_positive(scene.animation.rate, "animation: rate", faults);
@@ -42,6 +69,11 @@ void check_settings(const Scene& scene, Faults& faults) {
   check_count(scene.render.samples, 1, 65'536, "render: samples", faults);
   check_count(scene.render.depth, 1, 64, "render: depth", faults);
   check_band(scene.render, faults);
+  check_noise(scene, faults);
+  if (!(std::abs(scene.output.exposure) <= most_stops)) {
+    faults.push_back(fmt::format("output: exposure is {}, must be from {} to {}",
+                                 scene.output.exposure, -most_stops, most_stops));
+  }
   const auto fault = output_pattern_fault(scene.output.path, scene.animation.pictures);
   if (fault) faults.push_back("output: " + *fault);
   const std::set<Layer> layers(scene.output.layers.begin(), scene.output.layers.end());

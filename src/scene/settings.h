@@ -42,6 +42,9 @@ struct ExposureSettings {
   Combine combine = Combine::sum;  // alpha: 1 - product of (1 - alpha)
 };
 
+// Their spread says how sure a pixel is.
+inline constexpr int least_measured_samples = 4;
+
 enum class IntegratorKind : std::uint8_t {
   preview,  // base colour times |cos| plus emission; no lights
   path,     // light transport
@@ -49,7 +52,10 @@ enum class IntegratorKind : std::uint8_t {
 
 struct RenderSettings {
   int width = 1280, height = 720;
-  int samples = 16;  // a pixel, for each exposure
+  int samples = 16;  // a pixel, for each exposure; the most, if noise is above 0
+  // The relative standard error of pixels' luminance at which a block of them is done (see
+  // Replicates::noise); 0: never.
+  double noise = 0;
   IntegratorKind integrator = IntegratorKind::preview;
   int depth = 8;         // the most surfaces that scatter a path
   bool doppler = false;  // wavelengths shift, and light is followed by wavelength
@@ -60,15 +66,33 @@ struct RenderSettings {
 };
 
 // Layers of an EXR by the names of the scene file (design, section 7).
-enum class Layer : std::uint8_t { beauty, z, time, doppler, normal, position, uv, id };
+enum class Layer : std::uint8_t {
+  beauty,
+  z,
+  time,
+  doppler,
+  normal,
+  position,
+  uv,
+  id,
+  variance,
+  samples
+};
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab };
+
+// How a preview shows linear light: as it is up to white, or along a film's curve.
+enum class ViewTransform : std::uint8_t { srgb, filmic };
+
+inline constexpr double most_stops = 64;  // of exposure, either way
 
 struct OutputSettings {
   std::string path = "out/picture.####.exr";  // # stand for digits of the picture number
   std::vector<Layer> layers = {Layer::beauty, Layer::z};
   Compression compression = Compression::zip;
   bool preview = true;  // a PNG beside each EXR
+  double exposure = 0;  // of the preview: stops by which it is brightened
+  ViewTransform view = ViewTransform::srgb;
 };
 
 }  // namespace restframe

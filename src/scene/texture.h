@@ -28,7 +28,7 @@ struct Texture {
   bool srgb = true;
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   TextureFilter filter = TextureFilter::linear;  // where a texel covers a pixel or more
-  // Where it covers less. Kept, but sampling uses `filter` everywhere.
+  // Where it covers less (texture_filter.h).
   TextureFilter shrunken_filter = TextureFilter::linear;
   MipFilter mip_filter = MipFilter::linear;
 };

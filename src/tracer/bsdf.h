@@ -48,6 +48,9 @@ struct BsdfLayersLanes {
             coat_normal.at(i), sheen.at(i),  sheen_alpha[i]};
   }
   void set(int i, const BsdfLayers& of_lane);
+  bool any(int i) const {
+    return transmission[i] > 0.0F || coat[i] > 0.0F || sheen.at(i) != Vec3f(0);
+  }
 };
 
 // 16 surfaces.
@@ -93,7 +96,7 @@ struct ViewLobe {
 struct ViewLobeLanes {
   Vec3fLanes diffuse, straight, grazing;
   Lanes<float> cos_view, lambda_view, diffuses, reflects;
-  ViewLayers layers[packet_size];  // only if the surfaces are layered
+  ViewLayers layers[packet_size];  // only of those surfaces that have any
 
   ViewLobe at(int i) const {
     return {diffuse.at(i),  straight.at(i), grazing.at(i), cos_view[i],
@@ -134,6 +137,9 @@ float scattering_density(const Bsdf& bsdf, const Vec3f& direction);
 // Both, of 16 surfaces.
 void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
                         const Vec3fLanes& direction, Vec3fLanes& fraction, Lanes<float>& density);
+
+// The fraction that a clear coat of this strength reflects in all, away from what is below it.
+float coat_reflection(float coat, float coat_alpha, float cos_view);
 
 // Below, a surface is taken for perfectly smooth.
 inline constexpr float smallest_alpha = 1e-3F;

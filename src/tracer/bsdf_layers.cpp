@@ -91,6 +91,15 @@ float glass_gain(const Bsdf& b, float cos_view) {
   return glm::mix(1.0F, 1.0F / albedo, b.layers.thin ? 1.0F : b.specular);
 }
 
+// Of a coat of mirrors that lose nothing, the part that its microfacets do reflect.
+float coat_share(const FacetAlbedo& albedo) {
+  return coat_straight * albedo.all + (1.0F - coat_straight) * albedo.grazing;
+}
+
+float coat_gain(float coat, const FacetAlbedo& albedo) {
+  return coat * (1.0F + coat_straight * (1.0F - albedo.all) / albedo.all);
+}
+
 ViewLayers coated(const Bsdf& b) {
   const BsdfLayers& l = b.layers;
   ViewLayers layers;
@@ -98,9 +107,8 @@ ViewLayers coated(const Bsdf& b) {
   layers.cos_coat = std::max(least_cosine, glm::dot(l.coat_normal, b.view));
   layers.lambda_coat = smith_lambda(layers.cos_coat, l.coat_alpha);
   const FacetAlbedo albedo = facet_albedo(facet_albedo_table(), layers.cos_coat, l.coat_alpha);
-  layers.coat_gain = l.coat * (1.0F + coat_straight * (1.0F - albedo.all) / albedo.all);
-  layers.coat =
-      layers.coat_gain * (coat_straight * albedo.all + (1.0F - coat_straight) * albedo.grazing);
+  layers.coat_gain = coat_gain(l.coat, albedo);
+  layers.coat = layers.coat_gain * coat_share(albedo);
   layers.below_coat = std::max(0.0F, 1.0F - layers.coat);
   return layers;
 }
@@ -114,6 +122,11 @@ Vec3f glass_reflectance(const Bsdf& b, float cos_half) {
   const float left = glm::clamp((1.0F - white) / std::max(1e-6F, 1.0F - straight), 0.0F, 1.0F);
   return glm::clamp(b.specular * white + (straight_reflectance(b) - b.specular * straight) * left,
                     Vec3f(0), Vec3f(1));
+}
+
+float coat_reflection(float coat, float coat_alpha, float cos_view) {
+  const FacetAlbedo albedo = facet_albedo(facet_albedo_table(), cos_view, coat_alpha);
+  return coat_gain(coat, albedo) * coat_share(albedo);
 }
 
 ViewLayers view_layers(const Bsdf& b, ViewLobe& lobe) {

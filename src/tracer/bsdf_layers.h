@@ -29,6 +29,12 @@ inline float coat_reflectance(float cos_half) {
   return coat_straight + (1.0F - coat_straight) * schlick(cos_half);
 }
 
+// And at grazing angles: all, but for what is hardly denser than its surroundings, where Schlick's
+// formula alone would see a mirror in nothing. It holds from water's index on.
+inline float grazing_reflectance(const Bsdf& b) {
+  return std::min(1.0F, 50.0F * straight_reflectance(b.eta)) * b.specular;
+}
+
 // What a microfacet of a surface that lets light through reflects: Fresnel's equations, since
 // reflection can be total there, changed as much as the surface's own value straight on is.
 Vec3f glass_reflectance(const Bsdf& b, float cos_half);
@@ -42,6 +48,10 @@ struct Fraction {
   Vec3f fraction{0};
   float density = 0;
 };
+
+struct Way;
+Way layered_way(const Bsdf& bsdf, const ViewLobe& lobe, const ViewLayers& layers,
+                const Vec3f& numbers);
 
 // All that layered surfaces add to the plain one's.
 Fraction layers_fraction(const Bsdf& bsdf, const ViewLobe& lobe, const ViewLayers& layers,

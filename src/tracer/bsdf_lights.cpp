@@ -40,39 +40,32 @@ float scattering_density(const Bsdf& bsdf, const Vec3f& direction) {
 
 RESTFRAME_CLONES void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
   const FacetAlbedoTable& table = facet_albedo_table();
-  if (bsdf.layered) {
-    for (int i = 0; i < packet_size; ++i) {
-      store(lobes, i, view_lobe(bsdf.at(i), table, lobes.layers[i]));
-    }
-    return;
-  }
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const Bsdf b = bsdf.plain_at(i);
-    const float cos_view = std::max(least_cosine, glm::dot(b.normal, b.view));
-    ViewLobe lobe = view_weights(b, 1.0F, facet_albedo(table, cos_view, b.alpha));
+    ViewLobe lobe = plain_view_lobe(bsdf.plain_at(i), table);
     share_chances(lobe);
     store(lobes, i, lobe);
+  }
+  for (int i = 0; bsdf.layered && i < packet_size; ++i) {
+    if (bsdf.layers.any(i)) store(lobes, i, view_lobe(bsdf.at(i), table, lobes.layers[i]));
   }
 }
 
 RESTFRAME_CLONES void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
                                          const Vec3fLanes& direction, Vec3fLanes& fraction,
                                          Lanes<float>& density) {
-  if (bsdf.layered) {
-    for (int i = 0; i < packet_size; ++i) {
-      const Fraction there =
-          whole_fraction(bsdf.at(i), lobes.at(i), lobes.layers[i], direction.at(i));
-      fraction.set(i, there.fraction);
-      density[i] = there.density;
-    }
-    return;
-  }
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const Fraction there = plain_fraction(bsdf.plain_at(i), lobes.at(i), direction.at(i));
     fraction.set(i, there.fraction);
     density[i] = there.density;
+  }
+  for (int i = 0; bsdf.layered && i < packet_size; ++i) {
+    if (!bsdf.layers.any(i)) continue;
+    const Fraction more =
+        layers_fraction(bsdf.at(i), lobes.at(i), lobes.layers[i], direction.at(i));
+    fraction.set(i, fraction.at(i) + more.fraction);
+    density[i] += more.density;
   }
 }
 

@@ -37,7 +37,7 @@ inline float ggx_density(const Vec3f& normal, const Vec3f& microfacet, float alp
   const Vec3f across = glm::cross(normal, microfacet);
   const float sine2 = glm::dot(across, across);
   const float d = sine2 + squared(alpha * glm::dot(normal, microfacet));
-  return squared(alpha) / (pi * d * d);
+  return squared(alpha) / (pi * std::max(1e-20F, d * d));
 }
 
 // How far reflection has gone from its value straight on to that at grazing angles (Schlick 1994).

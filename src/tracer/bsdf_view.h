@@ -15,17 +15,16 @@ inline ViewLobe view_weights(const Bsdf& b, float opaque, const FacetAlbedo& alb
   // 2019): white ones lose nothing.
   const float again = (1.0F - albedo.all) / albedo.all;
   const Vec3f straight = straight_reflectance(b);
+  const Vec3f grazing = glm::max(Vec3f(grazing_reflectance(b)) - straight, Vec3f(0));
   const float of_dielectric = (1.0F - b.metallic) * opaque;
   const Vec3f metal = b.metallic * (Vec3f(1) + again * b.base);
   const Vec3f gloss = Vec3f(1) + again * straight;
-  const Vec3f reflected =
-      gloss * (albedo.all * straight + albedo.grazing * (Vec3f(b.specular) - straight));
+  const Vec3f reflected = gloss * (albedo.all * straight + albedo.grazing * grazing);
   const float below = of_dielectric * (1.0F - std::min(1.0F, largest(reflected)));
   ViewLobe lobe;
   lobe.diffuse = b.base * (below / pi);
   lobe.straight = metal * b.base + of_dielectric * gloss * straight;
-  lobe.grazing =
-      metal * (Vec3f(1) - b.base) + of_dielectric * gloss * (Vec3f(b.specular) - straight);
+  lobe.grazing = metal * (Vec3f(1) - b.base) + of_dielectric * gloss * grazing;
   lobe.cos_view = cos_view;
   lobe.lambda_view = smith_lambda(cos_view, b.alpha);
   lobe.diffuses = average(b.base) * below;
@@ -56,10 +55,13 @@ inline Fraction plain_fraction(const Bsdf& b, const ViewLobe& lobe, const Vec3f&
           seen ? density : 0.0F};
 }
 
-inline ViewLobe view_lobe(const Bsdf& b, const FacetAlbedoTable& table, ViewLayers& layers) {
+inline ViewLobe plain_view_lobe(const Bsdf& b, const FacetAlbedoTable& table) {
   const float cos_view = std::max(least_cosine, glm::dot(b.normal, b.view));
-  ViewLobe lobe =
-      view_weights(b, 1.0F - b.layers.transmission, facet_albedo(table, cos_view, b.alpha));
+  return view_weights(b, 1.0F - b.layers.transmission, facet_albedo(table, cos_view, b.alpha));
+}
+
+inline ViewLobe view_lobe(const Bsdf& b, const FacetAlbedoTable& table, ViewLayers& layers) {
+  ViewLobe lobe = plain_view_lobe(b, table);
   layers = view_layers(b, lobe);
   return lobe;
 }

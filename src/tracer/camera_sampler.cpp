@@ -44,16 +44,12 @@ CameraSampler::CameraSampler(const Scene& scene)
       rolling_per_pixel_(scene.camera.rolling / scene.render.height) {}
 
 void CameraSampler::start(const PacketId& id, Starts& starts) const {
-  if (!shutter_.is_instant()) {
-    for (int i = 0; i < packet_size; ++i) {
-      starts.moment[i] = static_cast<double>(random_unit(id, i, Dimension::time, 0));
-    }
-  }
-  if (has_lens()) {
-    for (int i = 0; i < packet_size; ++i) {
-      starts.lens_u[i] = static_cast<double>(random_unit(id, i, Dimension::lens, 0));
-      starts.lens_v[i] = static_cast<double>(random_unit(id, i, Dimension::lens, 1));
-    }
+  if (!spreads()) return;
+  PacketRandom random(id);
+  for (int i = 0; i < packet_size; ++i) {
+    starts.moment[i] = static_cast<double>(random(i, Dimension::time, 0));
+    starts.lens_u[i] = static_cast<double>(random(i, Dimension::lens_u, 0));
+    starts.lens_v[i] = static_cast<double>(random(i, Dimension::lens_v, 0));
   }
 }
 
@@ -104,6 +100,31 @@ RESTFRAME_CLONES void CameraSampler::take(const PixelLanes& pixels, const Starts
   place_in_time(starts, index, sample);
   if (rolling_per_pixel_ > 0.0) add_rolling(sample);
   if (has_lens()) place_on_lens(starts, index, sample);
+}
+
+void CameraSampler::draw(const PixelLanes& pixels, PacketRandom& random,
+                         CameraSample& sample) const {
+  const auto drawn = [&](Dimension dimension, int lane) {
+    return static_cast<double>(random(lane, dimension, 0));
+  };
+  for (int i = 0; i < packet_size; ++i) {
+    sample.film_x[i] = pixels.x[i] + 0.5 + tent_quantile(drawn(Dimension::film_u, i));
+    sample.film_y[i] = pixels.y[i] + 0.5 + tent_quantile(drawn(Dimension::film_v, i));
+  }
+  sample.after_opening.fill(0.0);
+  if (!shutter_.is_instant()) {
+    for (int i = 0; i < packet_size; ++i) {
+      sample.after_opening[i] = drawn(Dimension::time, i);
+    }
+    shutter_.quantiles(sample.after_opening);
+  }
+  if (rolling_per_pixel_ > 0.0) add_rolling(sample);
+  for (int i = 0; has_lens() && i < packet_size; ++i) {
+    const double u = drawn(Dimension::lens_u, i);
+    const Vec2 point = aperture_ * on_unit_disc(u, drawn(Dimension::lens_v, i));
+    sample.lens_x[i] = point.x;
+    sample.lens_y[i] = point.y;
+  }
 }
 
 void CameraSampler::take_center(const PixelLanes& pixels, CameraSample& sample) const {

@@ -50,6 +50,10 @@ class CameraSampler {
   // Sample `index` of the exposure that `starts` belongs to.
   void take(const PixelLanes& pixels, const Starts& starts, int index, CameraSample& sample) const;
 
+  // The next sample of a set that may end anywhere, and that is to be independent of other sets: all
+  // of it is drawn. Pixels then differ along edges, and lanes in their times.
+  void draw(const PixelLanes& pixels, PacketRandom& random, CameraSample& sample) const;
+
   // The pixels' centres, through the lens's centre, as the exposure opens.
   void take_center(const PixelLanes& pixels, CameraSample& sample) const;
 

@@ -27,7 +27,6 @@ void choose_point(const EmitterStage& stage, const Emitters::Chosen& chosen, int
   const RestTriangle triangle = rest_triangle(stage.scene, part, chosen.triangle);
   const float root = std::sqrt(u);
   const float b = root * (1.0F - v), c = root * v;
-  points.hits.frame[lane] = patch.frame;
   points.hits.part[lane] = patch.part;
   points.hits.triangle[lane] = chosen.triangle;
   points.hits.bary_u[lane] = b;
@@ -39,7 +38,7 @@ void choose_point(const EmitterStage& stage, const Emitters::Chosen& chosen, int
                              static_cast<double>(c) * (triangle.corners[2] - triangle.corners[0]));
   points.normal.set(lane, triangle.normal);
   points.per_area[lane] = chosen.chance / triangle.area;
-  points.active[lane] = triangle.area > 0.0 && chosen.chance > 0.0 ? -1 : 0;
+  points.active[lane] = triangle.area > 0.0 ? -1 : 0;
   set_color(stage.scene.meshes[static_cast<std::size_t>(part.mesh)], lane, points);
 }
 
@@ -70,6 +69,7 @@ void see_group(const LightPlace& place, const EventLanes<in::World>& event, cons
     const bool comes = density > 0.0 && density < 1e300;
     set_in(group, i, incident.active, comes ? -1 : 0);
     set_in(group, i, points.surfaces.back, facing < 0.0 ? 1 : 0);
+    set_in(group, i, points.surfaces.cosine, static_cast<float>(std::abs(facing)));
     set_in(group, i, seen.density, density);
     set_in(group, i, seen.doppler, arrival.doppler[i]);
     set_in(group, i, seen.rest_t, at.t[i] - distance[i]);
@@ -82,15 +82,25 @@ void see_group(const LightPlace& place, const EventLanes<in::World>& event, cons
 
 }  // namespace
 
-void choose_points(const EmitterStage& stage, const Lanes<std::int32_t>& active,
-                   const PointNumbers& numbers, EmitterPoints& points) {
+RESTFRAME_CLONES void choose_points(const EmitterStage& stage, const EventLanes<in::World>& event,
+                                    const Lanes<std::int32_t>& active, const PointNumbers& numbers,
+                                    EmitterPoints& points) {
   points.surfaces.colored = false;
   points.active.fill(0);
   for (int lane = 0; lane < packet_size; ++lane) {
-    if (active[lane] == 0) continue;
-    const auto chosen = stage.emitters.choose(numbers.patch[lane], numbers.triangle[lane]);
-    choose_point(stage, chosen, lane, numbers.u[lane], numbers.v[lane], points);
+    points.hits.frame[lane] = stage.emitters.choose_frame(static_cast<double>(numbers.frame[lane]));
   }
+  for_each_group(points.hits.frame, active, [&](int first, const Lanes<std::int32_t>& group) {
+    const std::int32_t frame = points.hits.frame[first];
+    EventLanes<in::LightRest> at;
+    to_light(stage.emitters.place(frame), event, at);
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (group[lane] == 0) continue;
+      const auto chosen = stage.emitters.choose(frame, at.x.at(lane), numbers.triangle[lane]);
+      if (!(chosen.chance > 0.0)) continue;
+      choose_point(stage, chosen, lane, numbers.u[lane], numbers.v[lane], points);
+    }
+  });
 }
 
 RESTFRAME_CLONES void see_points(const EmitterStage& stage, const EventLanes<in::World>& event,

@@ -7,9 +7,10 @@
 
 namespace restframe {
 
-// Numbers in [0, 1) that choose a point: patch, triangle and two on it.
+// Numbers in [0, 1) that choose a point: rest frame, triangle there and two on it.
 struct PointNumbers {
-  Lanes<double> patch, triangle;
+  Lanes<float> frame;
+  Lanes<double> triangle;
   Lanes<float> u, v;
 };
 
@@ -29,9 +30,10 @@ struct EmitterStage {
   const Emitters& emitters;
 };
 
-// For the active lanes.
-void choose_points(const EmitterStage& stage, const Lanes<std::int32_t>& active,
-                   const PointNumbers& numbers, EmitterPoints& points);
+// For the active lanes, to light the events.
+void choose_points(const EmitterStage& stage, const EventLanes<in::World>& event,
+                   const Lanes<std::int32_t>& active, const PointNumbers& numbers,
+                   EmitterPoints& points);
 
 // How surface events see their points.
 struct PointsSeen {

@@ -36,7 +36,9 @@ void add_times(const Scene& scene, FunctionIndex index, std::vector<double>& tim
     if (intervals->period) end = *intervals->period;
     for (const auto& interval : intervals->intervals) {
       times.push_back(0.5 * (interval.begin + interval.end));
-      if (!intervals->period) stretch(interval.begin - 1), stretch(interval.end + 1);
+      if (intervals->period) continue;
+      stretch(interval.begin - 1);
+      stretch(interval.end + 1);
     }
   } else if (const auto* keys = std::get_if<KeyFunction>(&function)) {
     if (keys->period) end = *keys->period;

@@ -49,7 +49,9 @@ void EmitterTree::build(std::vector<TreeLeaf>& leaves, std::size_t begin, std::s
     upper = glm::max(upper, center(leaves[i]));
   }
   const Vec3 extent = upper - lower;
-  const int longest = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+  const int longest = extent.x >= extent.y && extent.x >= extent.z ? 0
+                      : extent.y >= extent.z                       ? 1
+                                                                   : 2;
   const std::size_t half = middle(begin, end);
   const auto at = [&](std::size_t i) { return leaves.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(begin), at(half), at(end), [&](const TreeLeaf& a, const TreeLeaf& b) {

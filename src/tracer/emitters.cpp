@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <tuple>
 
@@ -46,12 +47,15 @@ class Gatherer {
       const std::uint32_t table = table_of(part.mesh, range, material, first, end - first);
       const double power = tables_[table].total() * area_scale(part.rest_from_mesh);
       if (!(power > 0.0)) continue;
-      patches_.push_back({frame, index, first, end - first, part.object, material, table});
+      patches_.push_back({frame, index, first, end - first, part.object, material, table, leaves});
       powers.push_back(power);
+      leaves += end - first;
     }
   }
 
+  // The frame's so far.
   std::vector<double> powers;  // a patch each
+  std::uint32_t leaves = 0;    // triangles
 
  private:
   std::uint32_t table_of(int mesh, std::size_t range, int material, std::uint32_t first,
@@ -75,45 +79,99 @@ class Gatherer {
 
 }  // namespace
 
-Emitters::Emitters(const Scene& scene, const FrameSet& frames) {
+Emitters::Emitters(const Scene& scene, const FrameSet& frames, std::size_t most_leaves) {
   if (std::none_of(scene.materials.begin(), scene.materials.end(), emits)) return;
+  if (std::getenv("RF_ALIAS")) most_leaves = 0;  // MEASURE
   Gatherer gatherer(scene, patches_, tables_);
-  std::int32_t index = 0;
+  std::vector<double> powers;
   for (const RestFrame& frame : frames.frames()) {
-    std::vector<std::uint32_t>& firsts = first_patches_.emplace_back();
-    std::uint32_t part_index = 0;
-    for (const FramePart& part : frame.parts()) {
-      firsts.push_back(static_cast<std::uint32_t>(patches_.size()));
-      gatherer.add(index, part_index++, part);
+    FrameEmitters& emitters = frames_.emplace_back();
+    gatherer.powers.clear();
+    gatherer.leaves = 0;
+    for (std::uint32_t part = 0; part < frame.parts().size(); ++part) {
+      emitters.first_patches.push_back(static_cast<std::uint32_t>(patches_.size()));
+      gatherer.add(static_cast<std::int32_t>(frames_.size()) - 1, part, frame.part(part));
     }
-    firsts.push_back(static_cast<std::uint32_t>(patches_.size()));
+    emitters.first_patches.push_back(static_cast<std::uint32_t>(patches_.size()));
+    emitters.patch_chances = AliasTable(gatherer.powers);
+    powers.push_back(emitters.patch_chances.total());
+    if (gatherer.leaves <= most_leaves) add_tree(scene, frame, emitters);
     const AnchoredFrame<in::Rest>& at = frame.coordinates();
-    LightPlace place;
-    place.frame = {at.anchor, Boost<in::LightRest, in::World>(at.from_world.velocity())};
-    place.world_from_light = place.frame.from_world.inverse();
-    places_.push_back(place);
-    ++index;
+    emitters.place.frame = {at.anchor, Boost<in::LightRest, in::World>(at.from_world.velocity())};
+    emitters.place.world_from_light = emitters.place.frame.from_world.inverse();
   }
-  chances_ = AliasTable(gatherer.powers);
+  frame_chances_ = AliasTable(powers);
 }
 
-Emitters::Chosen Emitters::choose(double u, double v) const {
-  const std::uint32_t patch = chances_.choose(u);
+void Emitters::add_tree(const Scene& scene, const RestFrame& frame, FrameEmitters& emitters) const {
+  std::vector<TreeLeaf> leaves;
+  for (std::uint32_t i = emitters.first_patches.front(); i < emitters.first_patches.back(); ++i) {
+    const EmittingPatch& patch = patches_[i];
+    const Material& material = scene.materials[static_cast<std::size_t>(patch.material)];
+    const double power = emitters.patch_chances.chance(i - emitters.first_patches.front());
+    for (std::uint32_t t = 0; t < patch.count; ++t) {
+      const RestTriangle triangle = rest_triangle(scene, frame.part(patch.part), patch.first + t);
+      const auto& [a, b, c] = triangle.corners;
+      TreeLeaf leaf;
+      leaf.lower = glm::min(glm::min(a, b), c);
+      leaf.upper = glm::max(glm::max(a, b), c);
+      leaf.normal = triangle.normal;
+      leaf.two_sided = material.double_sided || can_transmit(material);
+      leaf.power = power * tables_[patch.table].chance(t);
+      leaf.index = patch.first_leaf + t;
+      leaves.push_back(leaf);
+      emitters.patch_of_leaf.push_back(i);
+    }
+  }
+  emitters.tree = EmitterTree(std::move(leaves));
+}
+
+Emitters::Chosen Emitters::choose_by_power(const FrameEmitters& emitters, double u) const {
+  const std::uint32_t in_frame = emitters.patch_chances.choose_and_reuse(u);
+  const std::uint32_t patch = emitters.first_patches.front() + in_frame;
   const EmittingPatch& chosen = patches_[patch];
-  const std::uint32_t triangle = chosen.first + tables_[chosen.table].choose(v);
-  return {&chosen, triangle, chance(patch, triangle)};
+  const std::uint32_t triangle = chosen.first + tables_[chosen.table].choose(u);
+  return {&chosen, triangle, chance_by_power(emitters, patch, triangle)};
 }
 
-double Emitters::chance(std::int32_t frame, std::uint32_t part, std::uint32_t triangle) const {
-  const std::vector<std::uint32_t>& firsts = first_patches_[static_cast<std::size_t>(frame)];
-  const auto begin = patches_.begin() + firsts[part], end = patches_.begin() + firsts[part + 1];
+double Emitters::chance_by_power(const FrameEmitters& emitters, std::uint32_t patch,
+                                 std::uint32_t triangle) const {
+  const EmittingPatch& p = patches_[patch];
+  return emitters.patch_chances.chance(patch - emitters.first_patches.front()) *
+         tables_[p.table].chance(triangle - p.first);
+}
+
+Emitters::Chosen Emitters::choose(std::int32_t frame, const Vec3& place, double u) const {
+  const FrameEmitters& emitters = frames_[static_cast<std::size_t>(frame)];
+  Chosen chosen;
+  if (emitters.tree.empty()) {
+    chosen = choose_by_power(emitters, u);
+  } else {
+    const EmitterTree::Chosen leaf = emitters.tree.choose(place, u);
+    const EmittingPatch& patch = patches_[emitters.patch_of_leaf[leaf.leaf]];
+    chosen = {&patch, patch.first + (leaf.leaf - patch.first_leaf), leaf.chance};
+  }
+  chosen.chance *= frame_chances_.chance(static_cast<std::uint32_t>(frame));
+  return chosen;
+}
+
+double Emitters::chance(std::int32_t frame, std::uint32_t part, std::uint32_t triangle,
+                        const Vec3& place) const {
+  const FrameEmitters& emitters = frames_[static_cast<std::size_t>(frame)];
+  const auto begin = patches_.begin() + emitters.first_patches[part];
+  const auto end = patches_.begin() + emitters.first_patches[part + 1];
   const auto after = std::upper_bound(
       begin, end, triangle,
       [](std::uint32_t wanted, const EmittingPatch& patch) { return wanted < patch.first; });
   if (after == begin) return 0.0;
   const EmittingPatch& patch = *(after - 1);
   if (triangle - patch.first >= patch.count) return 0.0;
-  return chance(static_cast<std::size_t>(after - 1 - patches_.begin()), triangle);
+  const auto index = static_cast<std::uint32_t>(after - 1 - patches_.begin());
+  const double in_frame =
+      emitters.tree.empty()
+          ? chance_by_power(emitters, index, triangle)
+          : emitters.tree.chance(place, patch.first_leaf + (triangle - patch.first));
+  return in_frame * frame_chances_.chance(static_cast<std::uint32_t>(frame));
 }
 
 RestTriangle rest_triangle(const Scene& scene, const FramePart& part, std::uint32_t triangle) {

@@ -1,10 +1,19 @@
 #include "tracer/exposed_camera.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "physics/clones.h"
 #include "tracer/null_ray.h"
 
 namespace restframe {
 namespace {
+
+// A pixel's samples share what it covers; but no texture is made sharper than an eighth of a pixel.
+double pixels_a_ray(const Scene& scene) {
+  if (scene.textures.empty()) return 0.0;
+  return std::max(0.125, 1.0 / std::sqrt(static_cast<double>(scene.render.samples)));
+}
 
 // A ray as the camera has it, told from its event at the exposure's opening.
 struct CameraRay {
@@ -31,7 +40,8 @@ ExposedCamera::ExposedCamera(const Scene& scene, const CameraSampler& sampler, d
     : scene_(scene),
       is_pinhole_(!sampler.has_lens()),
       is_instant_(sampler.is_instant()),
-      is_steady_(is_instant_ || is_steady(scene.camera)) {
+      is_steady_(is_instant_ || is_steady(scene.camera)),
+      pixels_a_ray_(pixels_a_ray(scene)) {
   for (int i = 0; i < scene.exposure.count; ++i) {
     openings_.push_back(moment_at(opening + i * scene.exposure.interval));
   }
@@ -52,6 +62,9 @@ RESTFRAME_CLONES void ExposedCamera::rays(int exposure, const CameraSample& samp
     steady_rays(opening, sample, rays);
   } else {
     changing_rays(opening, sample, rays);
+  }
+  if (pixels_a_ray_ > 0.0) {
+    set_spread(opening.projection, pixels_a_ray_, sample.film_x, sample.film_y, rays);
   }
 }
 

@@ -33,6 +33,7 @@ class ExposedCamera {
 
   const Scene& scene_;
   bool is_pinhole_, is_instant_, is_steady_;
+  double pixels_a_ray_ = 0;       // on the film, the side of what each stands for; 0: nobody asks
   std::vector<Moment> openings_;  // of each exposure
 };
 

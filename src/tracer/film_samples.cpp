@@ -1,16 +1,6 @@
 #include "tracer/film_samples.h"
 
-#include <cmath>
-
 namespace restframe {
-namespace {
-
-// Inverse of the tent's cumulative distribution on [-1, 1].
-double tent_quantile(double u) {
-  return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 * (1.0 - u));
-}
-
-}  // namespace
 
 std::vector<Vec2f> film_offsets(int samples) {
   constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1

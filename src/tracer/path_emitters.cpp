@@ -17,7 +17,7 @@ float power_share(double own, double other) {
   return static_cast<float>(1.0 / (1.0 + ratio * ratio));
 }
 
-// Two random numbers' digits together, for tables that are longer than one can tell apart.
+// Two random numbers' digits together, for choices among more than one of them can tell apart.
 double finer(float number, float digits) {
   return static_cast<double>(number) + 0x1p-24 * static_cast<double>(digits);
 }
@@ -46,7 +46,8 @@ float PathWalk::share_of_sky(const Environment& sky, int lane) const {
 // The distance in the rest frame of the last vertex is s times the frequency there.
 float PathWalk::share_of_emitter(int lane) const {
   const std::uint32_t part = hits_.part[lane], triangle = hits_.triangle[lane];
-  const double chance = stage_.emitters.chance(hits_.frame[lane], part, triangle);
+  const Vec3 from = stage_.emitters.place(hits_.frame[lane]).frame(rays_.origin.at(lane)).x;
+  const double chance = stage_.emitters.chance(hits_.frame[lane], part, triangle, from);
   if (!(chance > 0.0)) return 1.0F;
   const FramePart& placed = stage_.frames.frame(hits_.frame[lane]).part(part);
   const double per_area = chance / rest_triangle(stage_.scene, placed, triangle).area;
@@ -74,7 +75,8 @@ void PathWalk::set_radiance(const EmitterPoints& points, const PointsSeen& seen,
   const bool beaming = stage_.scene.render.beaming;
   for (int lane = 0; lane < packet_size; ++lane) {
     if (from.active[lane] == 0) continue;
-    const MetSurface met{stage_.scene, stage_.frames, points.surfaces, points.hits, lane};
+    const MetSurface met{stage_.scene, stage_.frames, points.surfaces,
+                         points.hits,  lane,          &stage_.tables};
     const Vec3f radiance = shine(met, seen.rest_t[lane]);
     const float factor =
         emitter_factor(beaming, seen.doppler[lane]) / static_cast<float>(seen.density[lane]);
@@ -107,6 +109,7 @@ Vec3f PathWalk::shine(const MetSurface& met, double rest_t) {
   const float there = coverage(met, texture.w, clock, evaluator_);
   if (there == 0.0F) return Vec3f(0);
   Vec3f radiance = emission(met, clock, evaluator_);
+  if (plain.layered) radiance *= below_coat(met, met.surfaces.cosine[lane], clock, evaluator_);
   if (met.material().unlit) radiance += base_color(met, texture, clock, evaluator_);
   return there * radiance;
 }
@@ -115,15 +118,14 @@ void PathWalk::add_emitters(const LitLanes& lit, const ViewLobeLanes& lobes) {
   const EmitterStage stage{stage_.scene, stage_.frames, stage_.emitters};
   PointNumbers numbers;
   for (int lane = 0; lane < packet_size; ++lane) {
-    numbers.patch[lane] = finer(random(lane, Dimension::emitter_patch),
-                                random(lane, Dimension::emitter_patch_digits));
+    numbers.frame[lane] = random(lane, Dimension::emitter_frame);
     numbers.triangle[lane] = finer(random(lane, Dimension::emitter_triangle),
                                    random(lane, Dimension::emitter_triangle_digits));
     numbers.u[lane] = random(lane, Dimension::emitter_u);
     numbers.v[lane] = random(lane, Dimension::emitter_v);
   }
   EmitterPoints points;
-  choose_points(stage, lit.active, numbers, points);
+  choose_points(stage, vertices_.at.event, lit.active, numbers, points);
   PointsSeen seen;
   IncidentLanes from;
   see_points(stage, vertices_.at.event, lit, points, seen, from);

@@ -25,8 +25,7 @@ void PathWalk::add_lights() {
   }
   if (!any_active(lit.active)) return;
   find_rest_frames(lit);
-  ViewLobeLanes lobes;
-  view_lobes(vertices_.bsdf, lobes);
+  const ViewLobeLanes& lobes = vertices_.lobes;
   for (const LightPlace& light : stage_.lights) add_light(light, lit, lobes);
   if (!stage_.emitters.empty()) add_emitters(lit, lobes);
   for (const Environment& sky : stage_.environments) {
@@ -72,7 +71,7 @@ RESTFRAME_CLONES void PathWalk::add_arriving(const IncidentLanes& from_light, co
   const bool has_lines = follows_lines();
   Vec3fLanes arriving;
   RayPacket shadows;
-  shadows.coherent = false;  // they begin wherever the paths are
+  shadows.coherent = rays_.coherent;  // those of what the camera sees begin close together
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const Vec3f light_of_lane = scattered->at(i) * irradiance->at(i) * paths_.throughput.at(i);

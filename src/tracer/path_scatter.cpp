@@ -1,13 +1,15 @@
 // Where paths go from their vertices, by the laws of optics in the rest frame there.
 
 #include <algorithm>
+#include <cmath>
 
 #include "tracer/path_walk.h"
 
 namespace restframe {
 namespace {
 
-constexpr int sure_scatterings = 3;  // before paths may end by chance
+constexpr int sure_scatterings = 3;     // before paths may end by chance
+constexpr float widest_spread = 0.25F;  // radians
 
 float largest(const Vec3f& v) {
   return std::max({v.x, v.y, v.z});
@@ -36,28 +38,46 @@ Medium PathWalk::medium_of(int lane, const MetSurface& met, double clock) {
 float PathWalk::index_ratio(int lane, const MetSurface& met, double clock) {
   const float own = std::max(1.0F, evaluator_(met.material().ior, clock));
   const MediumStack& media = media_[lane];
-  const bool leaves = surfaces_.back[lane] != 0 && can_transmit(met.material());
+  const bool leaves = surfaces_.back[lane] != 0 && refracts(met.material());
   if (!leaves) return own / media.ior();
   MediumStack outside = media;
   outside.leave(surfaces_.object[lane], surfaces_.material[lane]);
   return outside.ior() / (media.empty() ? own : media.ior());
 }
 
-void PathWalk::scatter_on(int lane) {
-  const auto scattered =
-      scatter(vertices_.bsdf.at(lane), random(lane, Dimension::lobe),
-              random(lane, Dimension::direction_u), random(lane, Dimension::direction_v));
-  if (!scattered) return;
-  weigh(lane, scattered->weight);
+void PathWalk::scatter_on() {
+  Lanes<std::int32_t> going;
+  Vec3fLanes numbers;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    const bool goes_on =
+        stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
+    going[lane] = goes_on ? vertices_.active[lane] : 0;
+    numbers.set(lane, Vec3f(0));
+    if (going[lane] == 0) continue;
+    numbers.set(lane, {random(lane, Dimension::lobe), random(lane, Dimension::direction_u),
+                       random(lane, Dimension::direction_v)});
+  }
+  if (!any_active(going)) return;
+  ScatteredLanes scattered;
+  scatter(vertices_.bsdf, vertices_.lobes, going, numbers, scattered);
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (scattered.active[lane] != 0) follow(lane, scattered);
+  }
+}
+
+void PathWalk::follow(int lane, const ScatteredLanes& scattered) {
+  weigh(lane, scattered.weight.at(lane));
   if (!survives(lane)) return;
-  set_chosen(lane, in_medium(lane) || scattered->through ? 0.0F : scattered->density);
-  if (scattered->through && surfaces_.back[lane] != 0) {
+  const bool through = scattered.through[lane] != 0;
+  set_chosen(lane, in_medium(lane) || through ? 0.0F : scattered.density[lane]);
+  if (through && surfaces_.back[lane] != 0) {
     media_[lane].leave(surfaces_.object[lane], surfaces_.material[lane]);
-  } else if (scattered->through) {
+  } else if (through) {
     if (media_[lane].full()) return;
     media_[lane].enter(medium_of(lane, met_surface(lane), clock_[lane]));
   }
-  depart(lane, scattered->direction);
+  if (stage_.tables.has_textures()) widen_cone(lane, scattered.density[lane]);
+  depart(lane, scattered.direction.at(lane));
 }
 
 // Russian roulette: paths that hardly matter any more end by chance, the others stand for them.
@@ -70,6 +90,18 @@ bool PathWalk::survives(int lane) {
   paths_.throughput.set(lane, throughput / chance);
   if (follows_lines()) history_.scale(lane, 1.0F / chance);
   return random(lane, Dimension::survival) < chance;
+}
+
+// The cone goes on as wide as it is here. Mirrors and clear glass spread it no further; a direction that
+// was chosen among others stands for those near it: for a part of the solid angle that is its own
+// among all samples of the pixel. Angles are of the rest frame, where lengths are omega times s.
+void PathWalk::widen_cone(int lane, float density) {
+  RayCone& cone = paths_.cone[lane];
+  cone.width = cone.at(hits_.s[lane]);
+  if (!(density > 0.0F)) return;
+  const float share = density * static_cast<float>(stage_.scene.render.samples);
+  const float spread = std::min(widest_spread, 0.5F / std::sqrt(share));
+  cone.slope += spread * static_cast<float>(paths_.omega[lane]);
 }
 
 // The frequency stays in the scatterer's rest frame.

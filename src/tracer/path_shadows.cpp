@@ -45,7 +45,9 @@ void PathWalk::dim(RayPacket& shadows, const Lanes<double>& s_max, ShadowKind ki
       stage_.frames.refine(hits, lane);
       const double s_behind = stage_.frames.frame(hits.frame[lane]).s_behind(hits, lane);
       if (s_behind >= s_max[lane]) continue;
-      left[lane] *= 1.0F - stopped({stage_.scene, stage_.frames, surfaces, hits, lane}, kind);
+      left[lane] *= 1.0F - stopped({stage_.scene, stage_.frames, surfaces, hits, lane,
+                                    &stage_.tables, cone_width(lane)},
+                                   kind);
       if (kind == ShadowKind::of_lamps && left[lane] < least_light) left[lane] = 0.0F;
       if (left[lane] == 0.0F) continue;
       shadows.s_min[lane] = s_behind;

@@ -31,10 +31,10 @@ float chooser(float hero, int which) {
 
 // Evenly spaced over the samples of a pixel, too, and turned by chance from pixel to pixel: every
 // sample of it is without bias, and together they miss little of any smooth spectrum.
-void PathWalk::choose_wavelengths() {
-  PacketId pixel = id_;
+void PathWalk::choose_wavelengths(const PacketId& id) {
+  PacketId pixel = id;
   pixel.sample = 0;
-  const float of_sample = radical_inverse(id_.sample);
+  const float of_sample = radical_inverse(id.sample);
   for (int lane = 0; lane < packet_size; ++lane) {
     const float hero = fraction(of_sample + random_unit(pixel, lane, Dimension::wavelength, 0));
     Vec3f wavelength;
@@ -110,8 +110,12 @@ void PathWalk::receive_from_sky(const Environment& sky, int lane, const Vec3f& c
   const LightPlace& place = sky.place;
   const EmitterSpectrum& spectrum = stage_.spectra[stage_.spectrum_of(place)];
   const double omega = -place.frame.from_world(rays_.k.at(lane)).t;
-  const double clock = place.frame(rays_.origin.at(lane)).t + place.clock_at_anchor;
-  const float kelvin = evaluator_(place.light->temperature, clock);
+  const TemporalNumber& temperature = place.light->temperature;
+  float kelvin = temperature.value;
+  if (temperature.function != no_function) {
+    const double clock = place.frame(rays_.origin.at(lane)).t + place.clock_at_anchor;
+    kelvin = evaluator_(temperature, clock);
+  }
   receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega));
   if (follows_lines()) receive_lines(lane, spectrum, color, omega);
 }

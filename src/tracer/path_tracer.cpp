@@ -18,6 +18,7 @@ constexpr std::uint64_t no_crossing = ~std::uint64_t{0};
 PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch search)
     : stage_{scene,
              frames,
+             SurfaceTables(scene),
              object_places(scene, frames),
              {},
              {},
@@ -46,7 +47,7 @@ PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch s
   stage_.has_emitters = !stage_.environments.empty();
   for (const Material& material : scene.materials) {
     stage_.has_emitters = stage_.has_emitters || emits(material);
-    stage_.has_media = stage_.has_media || can_transmit(material);
+    stage_.has_media = stage_.has_media || refracts(material);
     stage_.plain.push_back(plain_material(material));
     stage_.has_see_through = stage_.has_see_through || material.alpha_mode != AlphaMode::opaque;
   }

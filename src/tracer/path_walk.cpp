@@ -1,6 +1,7 @@
 #include "tracer/path_walk.h"
 
 #include "frames/lane_groups.h"
+#include "tracer/shading_normal.h"
 
 namespace restframe {
 namespace {
@@ -11,7 +12,7 @@ constexpr std::uint32_t most_rounds = 1000;
 
 PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator& evaluator,
                    RayPacket& rays, SurfaceDataLanes* data)
-    : stage_(stage), id_(id), evaluator_(evaluator), rays_(rays), data_(data) {
+    : stage_(stage), random_(id), evaluator_(evaluator), rays_(rays), data_(data) {
   in_medium_.active.fill(0);
   paths_.throughput.x.fill(1.0F);
   paths_.throughput.y.fill(1.0F);
@@ -21,7 +22,10 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   paths_.radiance.z.fill(0.0F);
   paths_.coverage.fill(0.0F);
   paths_.scatterings.fill(0);
-  if (stage.spectra.shifts) choose_wavelengths();
+  for (int i = 0; stage_.tables.has_textures() && i < packet_size; ++i) {
+    paths_.cone[i] = {0.0F, rays.has_spread ? rays.spread[i] : 0.0F};
+  }
+  if (stage.spectra.shifts) choose_wavelengths(id);
   chosen_.density.fill(0.0F);
   if (data_ != nullptr) data_->fill({});
 }
@@ -86,6 +90,7 @@ void PathWalk::add_environments(int lane) {
 void PathWalk::stop_or_pass() {
   if (any_active(missed_)) miss();
   met_.fill(0);
+  tilts_ = false;
   for_each_group(surfaces_.material, hit_, [&](int first, const Lanes<std::int32_t>& group) {
     if (plain(first).always && !inside_) return stop_at_plain(plain(first), group);
     for (int lane = 0; lane < packet_size; ++lane) {
@@ -133,6 +138,9 @@ void PathWalk::stop_or_pass(int lane) {
       stopped >= 1.0F || (stopped > 0.0F && random(lane, Dimension::opacity) < stopped);
   if (!stops) return pass(lane);
   met_[lane] = -1;
+  if (!has_normal_map(met.material())) return;
+  tilt_normal(met, clock_[lane], evaluator_, surfaces_);
+  tilts_ = true;
 }
 
 // Media nest only where nothing moves; such a path ends.

@@ -8,6 +8,7 @@
 #include "tracer/emitter_points.h"
 #include "tracer/emitter_spectrum.h"
 #include "tracer/environment.h"
+#include "tracer/footprint.h"
 #include "tracer/light_sampling.h"
 #include "tracer/line_history.h"
 #include "tracer/medium_stack.h"
@@ -26,6 +27,7 @@ enum class LightSearch : std::uint8_t { both, by_choice, by_chance };
 struct PathStage {
   const Scene& scene;
   const FrameSet& frames;
+  SurfaceTables tables;
   std::vector<ObjectPlace> places;
   std::vector<PlainMaterial> plain;  // a material each
   std::vector<LightPlace> lights;    // without size: paths never meet them by chance
@@ -69,12 +71,14 @@ class PathWalk {
     Lanes<float> coverage;  // 1: something was met that is no background
     Lanes<std::int32_t> scatterings;
     Lanes<double> omega;  // the light's frequency in the rest frame of the surface or medium
+    Lanes<RayCone> cone;  // around the path on its way; only where there are textures
   };
   // Surface events that scatter, each in its rest frame.
   struct VertexLanes {
     Lanes<std::int32_t> active;
     HitEvents at;
     BsdfLanes bsdf;
+    ViewLobeLanes lobes;
   };
   // Of paths that are followed by wavelength: three lanes are three wavelengths. Without initial
   // values.
@@ -123,8 +127,11 @@ class PathWalk {
   void stop_or_pass(int lane);
   void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
   void pass(int lane);
+  float cone_width(int lane) const {
+    return stage_.tables.has_textures() ? paths_.cone[lane].at(hits_.s[lane]) : 0.0F;
+  }
   MetSurface met_surface(int lane) const {
-    return {stage_.scene, stage_.frames, surfaces_, hits_, lane};
+    return {stage_.scene, stage_.frames, surfaces_, hits_, lane, &stage_.tables, cone_width(lane)};
   }
   const PlainMaterial& plain(int lane) const {
     return stage_.plain[static_cast<std::size_t>(surfaces_.material[lane])];
@@ -167,7 +174,8 @@ class PathWalk {
 
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
-  void scatter_on(int lane);
+  void scatter_on();
+  void follow(int lane, const ScatteredLanes& scattered);
   bool survives(int lane);
   // The path goes on with this fraction of its light, a colour at the surface or in the medium that
   // it is at.
@@ -179,9 +187,10 @@ class PathWalk {
   void receive(int lane, const Vec3f& light) {
     paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * light);
   }
+  void widen_cone(int lane, float density);
   void depart(int lane, const Vec3f& direction);
 
-  void choose_wavelengths();
+  void choose_wavelengths(const PacketId& id);
   void find_local_spectra();
   // A fraction by colour, where the path is, as one by the path's lanes.
   Vec3f by_wavelength(int lane, const Vec3f& color) const {
@@ -208,12 +217,10 @@ class PathWalk {
   void receive_lines(int lane, const EmitterSpectrum& spectrum, const Vec3f& color, double omega,
                      const Vec3f* scattered = nullptr);
 
-  float random(int lane, Dimension dimension) const {
-    return random_unit(id_, lane, dimension, round_);
-  }
+  float random(int lane, Dimension dimension) { return random_(lane, dimension, round_); }
 
   const PathStage& stage_;
-  const PacketId& id_;
+  PacketRandom random_;
   TemporalEvaluator& evaluator_;
   RayPacket& rays_;            // of the lanes outside of media
   MediumRayPacket in_medium_;  // of the others
@@ -231,6 +238,7 @@ class PathWalk {
   Lanes<double> clock_;               // of what was met, unless it is plain
   Lanes<Vec4f> texture_;              // likewise: the base colour's
   Lanes<std::int32_t> met_;           // -1: the path is stopped by a surface in this round
+  bool tilts_ = false;                // some surface met has a normal map
   VertexLanes vertices_;
   MediumCrossing crossing_;
 };

@@ -11,6 +11,8 @@ struct PlainMaterial {
   // kind, and lights matter.
   bool always = false;
   bool double_sided = false;
+  bool layered = false;                      // may have what Bsdf::layers are for
+  bool tilted = false, tilted_coat = false;  // by normal maps
   Vec3f base{1}, emission{0};
   float metallic = 0;
   float alpha = 1;  // roughness squared

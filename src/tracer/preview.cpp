@@ -1,7 +1,8 @@
 #include "tracer/preview.h"
 
 #include "physics/clones.h"
-#include "tracer/surface_material.h"
+#include "tracer/footprint.h"
+#include "tracer/shading_normal.h"
 
 namespace restframe {
 namespace {
@@ -13,7 +14,11 @@ constexpr std::uint32_t most_layers = 1000;
 }  // namespace
 
 Preview::Preview(const Scene& scene, const FrameSet& frames)
-    : scene_(scene), frames_(frames), places_(object_places(scene, frames)), spectra_(scene) {
+    : scene_(scene),
+      frames_(frames),
+      tables_(scene),
+      places_(object_places(scene, frames)),
+      spectra_(scene) {
   if (spectra_.shifts) shifted_.emplace(spectra_.observer);
   simple_.push_back({Vec4f(0), Vec4f(0), 1, 1});
   for (const Material& material : scene.materials) {
@@ -32,10 +37,11 @@ Preview::Plain Preview::plain(const Material& m) {
                        m.emission.function != no_function ||
                        m.emission_strength.function != no_function ||
                        has_own_spectrum(m.emission_temperature, m.emission_spectrum);
-  const bool textured = m.base_color_texture.texture >= 0 || m.emission_texture.texture >= 0;
+  const bool textured =
+      m.base_color_texture.texture >= 0 || m.emission_texture.texture >= 0 || has_normal_map(m);
   Plain result;
   result.always = !changes && !textured && m.alpha_mode == AlphaMode::opaque;
-  result.double_sided = m.double_sided || can_transmit(m);
+  result.double_sided = m.double_sided || refracts(m);
   const Vec4f base(m.base_color.value, 0.0F);
   result.lit = m.unlit ? Vec4f(0) : base;
   result.unlit = m.unlit ? base : Vec4f(0);
@@ -43,15 +49,23 @@ Preview::Plain Preview::plain(const Material& m) {
   return result;
 }
 
+// Of a refined hit.
+MetSurface Preview::met_surface(const Met& met) const {
+  const RayCone cone{0, met.rays.has_spread ? met.rays.spread[met.lane] : 0.0F};
+  return {
+      scene_, frames_, met.surfaces, met.hits, met.lane, &tables_, cone.at(met.hits.s[met.lane])};
+}
+
 Vec4f Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) const {
-  const SurfaceLanes& surfaces = met.surfaces;
-  const MetSurface surface{scene_, frames_, surfaces, met.hits, met.lane};
+  SurfaceLanes& surfaces = met.surfaces;
   frames_.refine(met.hits, met.lane);
+  const MetSurface surface = met_surface(met);
   const double clock =
       clock_at(places_[static_cast<std::size_t>(surfaces.object[met.lane])], met.hits, met.lane);
   const Vec4f texture = texel(surface, surface.material().base_color_texture);
   const float alpha = coverage(surface, texture.w, clock, evaluator);
   if (alpha <= 0.0F) return Vec4f(0);
+  if (has_normal_map(surface.material())) tilt_normal(surface, clock, evaluator, surfaces);
   const float light = surface.material().unlit ? 1.0F : surfaces.cosine[met.lane];
   const Vec3f lit = base_color(surface, texture, clock, evaluator) * light;
   const Vec3f glow = emission(surface, clock, evaluator);
@@ -122,7 +136,7 @@ RESTFRAME_CLONES bool Preview::shade_simple(const RayPacket& rays, const HitPack
 
 SurfaceData Preview::data_of(const Met& met) const {
   frames_.refine(met.hits, met.lane);
-  return surface_data({scene_, frames_, met.surfaces, met.hits, met.lane},
+  return surface_data(met_surface(met),
                       places_[static_cast<std::size_t>(met.surfaces.object[met.lane])], met.rays);
 }
 

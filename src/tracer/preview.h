@@ -7,6 +7,7 @@
 #include "tracer/random.h"
 #include "tracer/sample.h"
 #include "tracer/surface.h"
+#include "tracer/surface_material.h"
 
 namespace restframe {
 
@@ -48,10 +49,11 @@ class Preview {
   // One lane of what a packet met. Hits are refined where something depends on exactly when they are.
   struct Met {
     const RayPacket& rays;
-    const SurfaceLanes& surfaces;
+    SurfaceLanes& surfaces;
     HitPacket& hits;
     int lane;
   };
+  MetSurface met_surface(const Met& met) const;
   Vec4f shade(const Met& met, TemporalEvaluator& evaluator) const;
   Vec4f shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
   Vec3f as_seen(const Vec3f& color, const Met& met) const;
@@ -61,6 +63,7 @@ class Preview {
 
   const Scene& scene_;
   const FrameSet& frames_;
+  SurfaceTables tables_;
   std::vector<ObjectPlace> places_;
   SceneSpectra spectra_;
   std::optional<ShiftedDaylight> shifted_;  // where wavelengths shift

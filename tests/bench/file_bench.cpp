@@ -68,7 +68,7 @@ void render_all(benchmark::State& state, const EachPicture& each_picture) {
   const RenderContext context{scene, integrator, evaluators, {}};
   Picture buffers[2] = {blank_picture(scene), blank_picture(scene)};
   for (auto _ : state) {
-    PictureWriter writer(false);
+    PictureWriter writer(scene.output);
     for (int number = 0; number < pictures; ++number) {
       Picture& picture = buffers[number % 2];
       render_picture(context, number, picture);

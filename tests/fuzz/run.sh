@@ -74,8 +74,13 @@ run_target() {
   return $status
 }
 
-status=0
 [ -z "$record" ] || [ -f $table ] || echo target,seconds,executions >$table
-for target in "$@"; do run_target "$target" || status=1; done
+# As many at a time as there are cores.
+mkdir -p $work && rm -f $work/*.failed
+for target in "$@"; do
+  if [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; then wait -n; fi
+  { run_target "$target" || touch "$work/$target.failed"; } &
+done
+wait
 [ ! -f $table ] || awk -F, 'NR > 1 {n += $3} END {printf "recorded so far: %d executions\n", n}' $table
-exit $status
+! compgen -G "$work/*.failed" >/dev/null

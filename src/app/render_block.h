@@ -1,0 +1,128 @@
+#pragma once
+
+// A packet's worth of pixels, for those who render it.
+
+#include <algorithm>
+#include <span>
+
+#include "app/render_picture.h"
+#include "tracer/camera_sampler.h"
+#include "tracer/exposed_camera.h"
+
+namespace restframe {
+
+inline constexpr int block_side = 4;  // a packet is a square of pixels: coherent both ways
+static_assert(block_side * block_side == packet_size);
+
+// Where in a block each lane's pixel is, and its place after that of the block's first.
+struct BlockPattern {
+  PixelLanes offset;
+  Lanes<std::uint32_t> place;
+
+  BlockPattern() {
+    for (int lane = 0; lane < packet_size; ++lane) {
+      offset.x[lane] = lane % block_side;
+      offset.y[lane] = lane / block_side;
+      place[lane] = morton_place(static_cast<std::uint32_t>(offset.x[lane]),
+                                 static_cast<std::uint32_t>(offset.y[lane]));
+    }
+  }
+};
+
+// What the tiles of one picture share.
+struct PictureView {
+  const RenderContext& context;
+  int number;
+  CameraSampler sampler;
+  ExposedCamera camera;
+  BlockPattern pattern;
+  bool measured;  // how sure pixels are
+
+  PictureView(const RenderContext& of, int picture)
+      : context(of),
+        number(picture),
+        sampler(of.scene),
+        camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
+        measured(measures_noise(of.scene)) {}
+};
+
+// A square of pixels that is rendered as one packet after the other.
+template <class Tracer>
+struct Block {
+  const PictureView& view;
+  const Tracer& integrator;
+  TemporalEvaluator& evaluator;
+  int left, top;
+  int width, height;  // within the picture
+  PixelLanes pixels;
+  Lanes<std::int32_t> active;  // lanes off the picture stay inactive
+  PacketId id;                 // of the sample at hand
+
+  Block(const PictureView& of, const Tracer& by, TemporalEvaluator& with, int x, int y)
+      : view(of), integrator(by), evaluator(with), left(x), top(y) {
+    const RenderSettings& settings = view.context.scene.render;
+    width = std::min(block_side, settings.width - left);
+    height = std::min(block_side, settings.height - top);
+    id.seed = settings.seed;
+    id.picture = static_cast<std::uint32_t>(view.number);
+    const BlockPattern& pattern = view.pattern;
+    const std::uint32_t first =
+        morton_place(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top));
+    const std::int32_t columns = width;
+    const std::int32_t rows = height;
+#pragma GCC ivdep
+    for (int lane = 0; lane < packet_size; ++lane) {
+      const std::int32_t across = pattern.offset.x[lane];
+      const std::int32_t down = pattern.offset.y[lane];
+      pixels.x[lane] = x + across;
+      pixels.y[lane] = y + down;
+      active[lane] = (across < columns ? -1 : 0) & (down < rows ? -1 : 0);
+      id.pixel[lane] = first | pattern.place[lane];
+    }
+  }
+};
+
+template <class Tracer, class Store>
+void for_pixels(const Block<Tracer>& block, const Store& store) {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (block.active[lane] != 0) store(block.pixels.x[lane], block.pixels.y[lane], lane);
+  }
+}
+
+template <class Tracer>
+void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
+           RadianceLanes& radiance, SurfaceDataLanes* data) {
+  RayPacket rays;
+  rays.active = block.active;
+  block.view.camera.rays(exposure, sample, rays);
+  block.integrator.trace(rays, block.id, block.evaluator, radiance, data);
+}
+
+template <class Tracer>
+void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
+                          RadianceLanes& radiance, Picture& picture) {
+  SurfaceDataLanes data;
+  trace(block, 0, sample, radiance, &data);
+  for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
+}
+
+// Data layers of samples that are spread over time or the lens: no sample is the ray they hold.
+template <class Tracer>
+void render_data(const Block<Tracer>& block, Picture& picture) {
+  CameraSample sample;
+  block.view.sampler.take_center(block.pixels, sample);
+  RadianceLanes unused;
+  trace_and_store_data(block, sample, unused, picture);
+}
+
+template <class Tracer>
+void store(const Block<Tracer>& block, const RadianceLanes& radiance, Picture& picture) {
+  const std::span<const Vec4f> lanes(radiance.lane);
+  for (int row = 0; row < block.height; ++row) {
+    picture.set_radiance_row(block.left, block.top + row,
+                             lanes.subspan(static_cast<std::size_t>(row * block_side),
+                                           static_cast<std::size_t>(block.width)));
+  }
+}
+
+}  // namespace restframe
