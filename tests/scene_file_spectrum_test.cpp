@@ -110,7 +110,7 @@ TEST_F(SceneFileSpectrum, CsvHasFaults) {
   csv("nm,v\n", "has no points");
   csv("nm,v\n400,0\n500,0\n", "0 everywhere");
   expect_fault(kLamp + "spectrum = {file = \"none.csv\"}\n", "7", {"none.csv"});
-  expect_fault(kLamp + "spectrum = {colum = \"v\"}\n", "7", {"file is missing"});
+  expect_fault(kLamp + "spectrum = {column = \"v\"}\n", "7", {"file is missing"});
 }
 
 TEST_F(SceneFileSpectrum, LightsHaveFaults) {

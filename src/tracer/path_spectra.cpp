@@ -92,8 +92,12 @@ void PathWalk::receive_from_sky(const Environment& sky, int lane, const Vec3f& c
   const LightPlace& place = sky.place;
   const EmitterSpectrum& spectrum = stage_.spectra[stage_.spectrum_of(place)];
   const double omega = -place.frame.from_world(rays_.k.at(lane)).t;
-  const double clock = place.frame(rays_.origin.at(lane)).t + place.clock_at_anchor;
-  const float kelvin = evaluator_(place.light->temperature, clock);
+  const TemporalNumber& temperature = place.light->temperature;
+  float kelvin = temperature.value;
+  if (temperature.function != no_function) {
+    const double clock = place.frame(rays_.origin.at(lane)).t + place.clock_at_anchor;
+    kelvin = evaluator_(temperature, clock);
+  }
   receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega));
   if (follows_lines()) receive_lines(lane, spectrum, color, omega);
 }
