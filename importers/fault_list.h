@@ -31,6 +31,7 @@ class FaultList {
   std::string located(TextPosition at, const std::string& what) const;
 
   bool empty() const { return faults_.empty(); }
+  std::size_t size() const { return faults_.size(); }
   bool is_full() const { return faults_.size() >= 1000; }
 
   // Throws InputError with every fault, in the file's order, if there is any.

@@ -1,5 +1,7 @@
 #include "importers/material_change.h"
 
+#include "importers/scene_file_spectrum.h"
+
 namespace restframe {
 
 void set(const std::optional<Property>& given, TemporalNumber& number) {
@@ -40,6 +42,8 @@ void apply(const MaterialChange& change, Material& material) {
     set(property, material.*member);
     opacity_given |= member == &Material::opacity;
   }
+  set(change.spectrum, material.emission_temperature, material.emission_spectrum);
+  if (change.spectrum.any()) material.emission = {Vec3f(1)};
   for (const auto& [member, property] : change.colors) set(property, material.*member);
   if (change.base_color_texture == false) material.base_color_texture = {};
   if (change.thin_walled) material.thin_walled = *change.thin_walled;

@@ -74,6 +74,15 @@ struct SceneFile {
 // A property as a file gives it: constant, or an index into Scene::functions.
 using Property = std::variant<TemporalValue, FunctionIndex>;
 
+// What a light or a material says of its spectrum.
+struct SpectrumChange {
+  std::optional<Property> temperature;
+  std::optional<std::vector<SpectrumPoint>> points;
+  std::optional<std::vector<EmissionLine>> lines;
+
+  bool any() const { return temperature || points || lines; }
+};
+
 // What one [[material]] says.
 struct MaterialChange {
   TextPosition at;
@@ -81,6 +90,7 @@ struct MaterialChange {
   std::optional<MaterialReference> object;  // only there
   std::vector<std::pair<TemporalNumber Material::*, Property>> numbers;
   std::vector<std::pair<TemporalColor Material::*, Property>> colors;
+  SpectrumChange spectrum;  // of its emission
   std::optional<bool> base_color_texture, thin_walled, unlit;
 };
 

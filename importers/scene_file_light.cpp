@@ -8,6 +8,7 @@
 #include "importers/moving_nodes.h"
 #include "importers/scene_file_light.h"
 #include "importers/scene_file_motion.h"
+#include "importers/scene_file_spectrum.h"
 
 namespace restframe {
 namespace {
@@ -178,6 +179,9 @@ void read_place(TableReader& table, const LightStart* start, const SceneFile& fi
 void read_emission(TableReader& table, SceneFile& file, Light& light) {
   const auto color = read_property(table, "color", {true, at_least(0)}, file);
   const auto intensity = read_property(table, "intensity", {false, at_least(0)}, file);
+  const SpectrumChange spectrum = read_spectrum(table, "", file);
+  set(spectrum, light.temperature, light.spectrum);
+  if (spectrum.any()) light.color = {Vec3f(1)};
   set(color, light.color);
   set(intensity, light.intensity);
   if (light.intensity.function != no_function) light.intensity.value = 0;
@@ -231,7 +235,6 @@ void read_light(const ConfigTable& table, const LightStart* start, SceneFile& fi
   read_place(reader, start, file, light);
   read_emission(reader, file, light);
   read_group(reader, light);
-  reader.not_supported({"temperature"});
   reader.finish();
   file.scene.lights.push_back(std::move(light));
 }

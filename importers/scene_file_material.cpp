@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "importers/scene_file.h"
+#include "importers/scene_file_spectrum.h"
 #include "scene/material_properties.h"
 
 namespace restframe {
@@ -26,6 +27,7 @@ void read_properties(TableReader& material, MaterialChange& change, SceneFile& f
     const auto property = read_property(material, p.name, {true, range_of(0, p.high)}, file);
     if (property) change.colors.emplace_back(p.member, *property);
   }
+  change.spectrum = read_spectrum(material, "emission_", file);
   for (const NumberProperty& p : number_properties) {
     const auto property = read_property(material, p.name, {false, range_of(p.low, p.high)}, file);
     if (property) change.numbers.emplace_back(p.member, *property);

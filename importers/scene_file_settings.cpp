@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "importers/scene_file.h"
+#include "importers/scene_file_spectrum.h"
 #include "scene/output_pattern.h"
 
 namespace restframe {
@@ -69,9 +70,8 @@ void read_render(TableReader& root, SceneFile& file) {
     settings.integrator = static_cast<IntegratorKind>(*index);
   }
   settings.depth = render.integer("depth", 1, 64).value_or(settings.depth);
-  if (render.boolean("doppler").value_or(false)) {
-    render.not_supported(render.key_place("doppler"), "doppler");
-  }
+  settings.doppler = render.boolean("doppler").value_or(settings.doppler);
+  read_observe(render, settings);
   render.finish();
 }
 

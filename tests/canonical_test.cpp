@@ -165,6 +165,15 @@ TEST(Canonical, ChangesWithSettings) {
       {"integrator", [](Scene& s) { s.render.integrator = IntegratorKind::path; }},
       {"depth", [](Scene& s) { s.render.depth = 3; }},
       {"beaming", [](Scene& s) { s.render.beaming = true; }},
+      {"doppler", [](Scene& s) { s.render.doppler = true; }},
+      {"band",
+       [](Scene& s) {
+         s.render.observe = WavelengthBand{500, 900};
+       }},
+      {"band's end",
+       [](Scene& s) {
+         s.render.observe = WavelengthBand{500, 901};
+       }},
       {"seed", [](Scene& s) { s.render.seed = ~0ULL; }},
       {"layers", [](Scene& s) { s.output.layers.push_back(Layer::time); }},
       {"compression", [](Scene& s) { s.output.compression = Compression::dwaa; }},
@@ -265,6 +274,17 @@ TEST(Canonical, ChangesWithMaterials) {
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
       {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
+      {"temperature", [](Scene& s) { s.materials[0].emission_temperature.value = 3000; }},
+      {"temperature's function",
+       [](Scene& s) { s.materials[0].emission_temperature.function = 0; }},
+      {"spectrum",
+       [](Scene& s) {
+         s.materials[0].emission_spectrum.points = {{400, 1}, {500, 1}};
+       }},
+      {"lines",
+       [](Scene& s) {
+         s.materials[0].emission_spectrum.lines = {{400, 1, 1}};
+       }},
   });
 }
 
@@ -317,6 +337,24 @@ TEST(Canonical, ChangesWithLights) {
       {"intensity", [](Scene& s) { s.lights[1].intensity.value = 2; }},
       {"intensity's function", [](Scene& s) { s.lights[1].intensity.function = 0; }},
       {"group", [](Scene& s) { s.lights[1].group = "key"; }},
+      {"temperature", [](Scene& s) { s.lights[1].temperature.value = 3000; }},
+      {"temperature's function", [](Scene& s) { s.lights[1].temperature.function = 0; }},
+      {"spectrum",
+       [](Scene& s) {
+         s.lights[1].spectrum.points = {{400, 1}, {500, 1}};
+       }},
+      {"spectrum's values",
+       [](Scene& s) {
+         s.lights[1].spectrum.points = {{400, 1}, {500, 2}};
+       }},
+      {"lines",
+       [](Scene& s) {
+         s.lights[1].spectrum.lines = {{400, 1, 1}};
+       }},
+      {"lines' widths",
+       [](Scene& s) {
+         s.lights[1].spectrum.lines = {{400, 1, 2}};
+       }},
       {"a light more", [](Scene& s) { s.lights.emplace_back(); }},
       {"no map", [](Scene& s) { s.lights[1].sky_map = -1; }},
       {"another map", [](Scene& s) { s.lights[1].sky_map = 1; }},

@@ -72,38 +72,68 @@ TEST(LowDiscrepancy, EveryAlignedRunOfAPixelsSamplesIsANet) {
   }
 }
 
-// Whether each box of every shape 2^-i by 2^-j by 2^(i + j - k + 1), of which 2^(k - 1) fill the cube,
-// holds two of the 2^k points of a pixel's directions and lobes.
-bool is_cube_net(PacketId id, int lane, std::uint32_t index, int k) {
-  std::vector<std::array<double, 3>> points;
-  for (id.sample = 0; id.sample < (1U << k); ++id.sample) {
-    points.push_back({static_cast<double>(random_unit(id, lane, Dimension::direction_u, index)),
-                      static_cast<double>(random_unit(id, lane, Dimension::direction_v, index)),
-                      static_cast<double>(random_unit(id, lane, Dimension::lobe, index))});
-  }
-  for (int i = 0; i < k; ++i) {
-    for (int j = 0; i + j < k; ++j) {
-      std::vector<int> held(points.size() / 2);
-      for (const auto& p : points) {
-        const auto x = static_cast<std::size_t>(std::ldexp(p[0], i));
-        const auto y = static_cast<std::size_t>(std::ldexp(p[1], j));
-        const auto z = static_cast<std::size_t>(std::ldexp(p[2], k - 1 - i - j));
-        ++held[(((x << j) | y) << (k - 1 - i - j)) | z];
+// Whether each box of every shape with sides of powers of 1/2, of which 2^(k - t) fill the cube, holds 2^t
+// of the first 2^k points of a set of dimensions: a (t, k, s)-net.
+class CubePoints {
+ public:
+  CubePoints(PacketId id, int lane, std::uint32_t index, Dimension first, int k)
+      : k_(k), dimensions_(static_cast<int>(size_of_set(first))) {
+    for (id.sample = 0; id.sample < (1U << k); ++id.sample) {
+      std::array<double, 4> point{};
+      for (int d = 0; d < dimensions_; ++d) {
+        const auto dimension = static_cast<Dimension>(static_cast<int>(first) + d);
+        point[static_cast<std::size_t>(d)] =
+            static_cast<double>(random_unit(id, lane, dimension, index));
       }
-      if (std::any_of(held.begin(), held.end(), [](int n) { return n != 2; })) return false;
+      points_.push_back(point);
     }
   }
-  return true;
-}
 
-TEST(LowDiscrepancy, DirectionsAndLobesTogetherAreANet) {
-  for (const std::uint32_t bits : {12U, 32U}) {
-    for (std::uint32_t index = 0; index < 4; ++index) {
-      for (int k = 1; k <= 12; ++k) {
-        EXPECT_TRUE(is_cube_net(packet(bits, 40 + index), 3, index, k)) << bits << ' ' << k;
+  bool are_net(int t) const { return are_net(t, 0, k_ - t, {}); }
+
+ private:
+  // Halvings are left to be spread over the dimensions from `d` on.
+  bool are_net(int t, int d, int left, std::array<int, 4> halvings) const {
+    if (d + 1 == dimensions_) {
+      halvings[static_cast<std::size_t>(d)] = left;
+      return holds_alike(1 << t, halvings);
+    }
+    bool all = true;
+    for (int here = 0; here <= left; ++here) {
+      halvings[static_cast<std::size_t>(d)] = here;
+      all = all && are_net(t, d + 1, left - here, halvings);
+    }
+    return all;
+  }
+
+  bool holds_alike(int expected, const std::array<int, 4>& halvings) const {
+    std::vector<int> held(points_.size() / static_cast<std::size_t>(expected));
+    for (const auto& p : points_) {
+      std::size_t box = 0;
+      for (std::size_t d = 0; d < 4; ++d) {
+        box = (box << halvings[d]) | static_cast<std::size_t>(std::ldexp(p[d], halvings[d]));
       }
+      ++held[box];
+    }
+    return std::all_of(held.begin(), held.end(), [&](int n) { return n == expected; });
+  }
+
+  int k_, dimensions_;
+  std::vector<std::array<double, 4>> points_;
+};
+
+TEST(LowDiscrepancy, SetsOfDimensionsAreNets) {
+  for (const std::uint32_t bits : {11U, 32U}) {
+    for (int k = 3; k <= 11; ++k) {
+      const PacketId id = packet(bits, 40 + static_cast<std::uint64_t>(k));
+      EXPECT_TRUE(CubePoints(id, 3, 1, Dimension::film_u, k).are_net(0)) << bits << ' ' << k;
+      EXPECT_TRUE(CubePoints(id, 3, 1, Dimension::direction_u, k).are_net(1)) << bits << ' ' << k;
+      EXPECT_TRUE(CubePoints(id, 3, 1, Dimension::emitter_u, k).are_net(3)) << bits << ' ' << k;
     }
   }
+  EXPECT_EQ(size_of_set(Dimension::emitter_u), 4U);
+  EXPECT_EQ(size_of_set(Dimension::direction_u), 3U);
+  EXPECT_EQ(size_of_set(Dimension::survival), 1U);
 }
 
 // A test that no set of points fails tells nothing.

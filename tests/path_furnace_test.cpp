@@ -30,18 +30,22 @@ std::string glowing(const std::string& name, double grey, const std::string& emi
   return diffuse_material(name, grey) + emission + "\n";
 }
 
-// A room that emits 1.5 and reflects `grey`, and a ball in it that does likewise.
-Scene closed(const Vec3& room, const Vec3& ball, const Vec3& camera, double grey, int depth,
+// A room that emits 1.5 and reflects `grey`, and a block in it that does likewise. Flat: where normals
+// are interpolated a little light is lost.
+Scene closed(const Vec3& room, const Vec3& block, const Vec3& camera, double grey, int depth,
              const std::string& render_keys) {
   const std::string emission = "emission = [1.5, 1.5, 1.5]";
   Scene scene = loaded_scene(
       camera_text(small_camera(camera),
-                  fmt::format("samples = 8\ndepth = {}\n{}", depth, render_keys)) +
-      fmt::format("[[object]]\nname = \"room\"\nsphere = {{radius = 40, fineness = 3}}\nvelocity = "
-                  "{}\nmaterial = \"room\"\n[[object]]\nname = \"ball\"\nsphere = {{radius = 1, "
-                  "fineness = 4}}\nvelocity = {}\ntime = -3\nmaterial = \"glow\"\n",
-                  toml(room), toml(ball)) +
-      glowing("room", grey, emission) + glowing("glow", grey, emission));
+                  fmt::format("samples = 32\ndepth = {}\n{}", depth, render_keys)) +
+          fmt::format(
+              "[[object]]\nname = \"room\"\nasset = \"room.obj\"\nvelocity = {}\nmaterial = "
+              "\"room\"\n[[object]]\nname = \"block\"\nasset = \"block.obj\"\nvelocity = {}\n"
+              "time = -3\nmaterial = \"glow\"\n",
+              toml(room), toml(block)) +
+          glowing("room", grey, emission) + glowing("glow", grey, emission),
+      {{"room.obj", box_obj({-30, -25, -40}, {35, 40, 30})},
+       {"block.obj", box_obj({-0.8, -0.7, -1}, {0.9, 0.6, 0.5})}});
   material_of(scene, "room").double_sided = true;
   return scene;
 }
@@ -68,8 +72,9 @@ TEST(ClosedFurnace, OfMovingThingsIsTheSeriesWithoutBeaming) {
 // All moves together past the camera: D^4 of each pixel's sight.
 TEST(ClosedFurnace, InMotionBeamsAsOne) {
   const Vec3 velocity(0.3, 0.1, -0.6);
-  const Scene scene = closed(velocity, velocity, {0.1, 0, 0.2}, 0.6, 5, "beaming = true");
-  const reference::ObserverCamera camera = small_camera({0.1, 0, 0.2});
+  Scene scene = closed(velocity, velocity, {0.1, 0, 0.2}, 0.6, 5, "beaming = true");
+  reference::ObserverCamera camera = small_camera({0.1, 0, 0.2});
+  scene.camera.vertical_fov = camera.vertical_fov = 0.05;
   const Long3 u = reference::widened(reference::gamma_beta_from_beta(velocity));
   std::vector<double> expected;
   for (int y = 0; y < camera.height; ++y) {
@@ -80,25 +85,7 @@ TEST(ClosedFurnace, InMotionBeamsAsOne) {
       expected.push_back(closed_radiance(0.6, 5) * d * d * d * d);
     }
   }
-  expect_means(pixel_means(scene, 24), expected, 2e-3);
-}
-
-// Textured: half of the room's patches glow twice as much as the others ... and reflect as much less
-// as makes no difference: all are as bright as they are lit.
-TEST(ClosedFurnace, OfGlossAndGlassIsTheSeries) {
-  Scene scene = closed({0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0.5, 2, "");
-  // A perfect mirror that emits nothing shows the room; the room sees the mirror show the room.
-  Material& glow = material_of(scene, "glow");
-  glow.emission.value = Vec3f(0);
-  glow.base_color.value = Vec3f(1);
-  glow.metallic.value = 1;
-  glow.roughness.value = 0;
-  const PixelMeans means = pixel_means(scene, 24);
-  // Depth counts the mirror: through it one surface less is seen.
-  for (std::size_t i = 0; i < means.mean.size(); ++i) {
-    EXPECT_LT(means.mean[i], closed_radiance(0.5, 2) * 1.001);
-    EXPECT_GT(means.mean[i], closed_radiance(0.5, 1) * 0.95);
-  }
+  expect_means(pixel_means(scene, 24), expected, 4e-3);
 }
 
 // A floor that moves through a sky of radiance 1, with its camera: what it reflects is its own

@@ -216,6 +216,7 @@ TEST(MutualLight, IsTheSameInEveryWorld) {
                                                 return x == 3 && y == 2 ? Vec3f(40) : Vec3f(0.5F);
                                               })}});
   const PixelMeans here = block_means(scene, 24, 2);
+  for (const double mean : here.mean) EXPECT_GT(mean, 0.01);
   for (const Velocity& world :
        {Velocity::from_beta({0.6, 0, 0}), Velocity::from_beta({-0.5, 0.6, 0.4}),
         Velocity::from_gamma(30, {1, 2, -2})}) {

@@ -278,7 +278,7 @@ TEST(ReplicatesTest, MeanAndVarianceAreThoseOfTheSets) {
 // The same bytes for any number of threads; the layers reach the file.
 TEST(RenderNoiseProgram, ThreadsChangeNothing) {
   const std::string scene =
-      "[render]\nresolution = [50, 40]\nsamples = 64\nintegrator = \"path\"\nnoise = 0.05\n"
+      "[render]\nresolution = [50, 40]\nsamples = 64\nintegrator = \"path\"\nnoise = 0.005\n"
       "[output]\npreview = false\nlayers = [\"beauty\", \"Z\", \"variance\", \"samples\"]\n"
       "[[object]]\nsphere = {fineness = 3}\nposition = [0, 0, -3]\n[[light]]\ntype = "
       "\"environment\"\n";

@@ -87,7 +87,6 @@ TEST_F(BadScene, WhatThisVersionDoesNotDo) {
     return "\"" + word + "\" is not supported by this version of restframe";
   };
   check({
-      {in_section("render", "doppler = true"), {"2:1: " + none("doppler")}},
       {in_section("output", "split = true"), {"2:1: " + none("split")}},
       {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},
   });

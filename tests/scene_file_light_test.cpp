@@ -197,13 +197,6 @@ TEST_F(SceneFileLight, KeysOfOtherTypes) {
   expect_fault("type = \"environment\"\ndirection = [1, 0, 0]\n", {"8:1: ", "direction"});
 }
 
-TEST_F(SceneFileLight, WhatThisVersionDoesNotDo) {
-  for (const char* key : {"temperature = 5800"}) {
-    expect_fault(std::string("type = \"environment\"\n") + key + "\n",
-                 {"8:1: ", "is not supported by this version of restframe"});
-  }
-}
-
 TEST_F(SceneFileLight, WrongValues) {
   expect_fault("intensity = 1\n", {"6:1: ", "type is missing, must be one of point, spot, sun"});
   expect_fault("type = \"spto\"\n", {"7:8: ", "must be one of", "the nearest is \"spot\""});

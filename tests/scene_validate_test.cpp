@@ -17,6 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr float inff = std::numeric_limits<float>::infinity();
 
 // A triangle of one textured material.
 Scene good_scene() {
@@ -103,6 +104,13 @@ TEST(Validate, Settings) {
   one([](Scene& s) { s.render.noise = std::nan(""); }, "noise is");
   one([](Scene& s) { s.output.exposure = 65; }, "exposure is 65, must be from -64 to 64");
   one([](Scene& s) { s.output.exposure = std::nan(""); }, "exposure is nan");
+  one([](Scene& s) { s.render.observe = WavelengthBand{500, 600}; }, "doppler = true only");
+  one(
+      [](Scene& s) {
+        s.render.doppler = true;
+        s.render.observe = WavelengthBand{600, 500};
+      },
+      "observe: from 600 to 500 nm");
   one([](Scene& s) { s.output.path = "a.png"; }, ".exr");
   one([](Scene& s) { s.output.path = "a.exr", s.animation.pictures = 2; }, "run of #");
   one([](Scene& s) { s.output.path = "#/#.exr"; }, "one run of #");
@@ -308,6 +316,13 @@ TEST(Validate, MaterialsTexturesAndFunctions) {
   one([](Scene& s) { s.materials[0].normal_scale.value = INFINITY; },
       "normal_scale is inf, must be finite");
   one([](Scene& s) { s.textures[0].image = 1; }, "image 1 of 1");
+  one([](Scene& s) { s.materials[0].emission_temperature.value = 20; },
+      "\"paint\": emission: the temperature is 20");
+  one(
+      [](Scene& s) {
+        s.materials[0].emission_spectrum.points = {{500, 1}, {400, 1}};
+      },
+      "shorter wavelength");
   one([](Scene& s) { s.images[0].rgba.pop_back(); }, "3 bytes");
   one([](Scene& s) { s.images[0].width = 0; }, "0 x 1");
   one([](Scene& s) { std::get<IntervalFunction>(s.functions[0]).period = 0; }, "period is 0");
@@ -333,6 +348,10 @@ TEST(Validate, Lights) {
   one([](Light& l) { l.worldline.reference.x.y = std::nan(""); }, "light \"\": position");
   one([](Light& l) { l.worldline.velocity = Velocity::from_beta({0.8, 0.8, 0}); }, "|velocity|");
   one([](Light& l) { l.clock = inf; }, "clock");
+  one([](Light& l) { l.temperature.value = 20; }, "temperature is 20, must be 500");
+  one([](Light& l) { l.temperature.value = -1; }, "temperature is -1");
+  one([](Light& l) { l.temperature.function = 3; }, "temperature refers to temporal function 3");
+  one([](Light& l) { l.spectrum.lines = {{600, inff, 1}}; }, "power of line 0 is inf");
   one([](Light& l) { l.direction = {0, 0, 2}; }, "direction must be of length 1");
   one([](Light& l) { l.direction.x = std::nan(""); }, "direction");
   one([](Light& l) { l.inner_cone = 1, l.outer_cone = 0.5; }, "cone");

@@ -254,6 +254,7 @@ Moments moments_of(const Picture& picture, int from, int to) {
 Scene shrunken_board(IntegratorKind integrator) {
   Scene scene = scene_of_square(textured_square(1, 37.7F), checkerboard(64));
   scene.materials[0].unlit = true;
+  scene.materials[0].base_color_texture.texture = 0;
   scene.render.integrator = integrator;
   scene.output.layers = {Layer::beauty};
   return scene;

@@ -126,7 +126,8 @@ void print_text(const std::string& file, const Inspected& inspected, const Frame
   if (says_more && !inspected.is_scene_file) print_scene("as a scene", scene, frames);
   fmt::print("memory: meshes {}, images {}, Embree {} ({} to build)\n",
              size_text(static_cast<double>(bytes_in_memory(scene.meshes))),
-             size_text(static_cast<double>(bytes_in_memory(scene.images))),
+             size_text(static_cast<double>(bytes_in_memory(scene.images) +
+                                           bytes_in_memory(scene.sky_maps))),
              size_text(static_cast<double>(frames.embree_bytes())),
              size_text(static_cast<double>(frames.peak_embree_bytes())));
   if (!inspected.warnings.empty()) fmt::print("warnings:\n");

@@ -160,7 +160,7 @@ Json json_of(const Scene& scene, const FrameSet& frames, const std::vector<char>
           {"materials", list_of(scene.materials)},
           {"memory",
            {{"meshes", bytes_in_memory(scene.meshes)},
-            {"images", bytes_in_memory(scene.images)},
+            {"images", bytes_in_memory(scene.images) + bytes_in_memory(scene.sky_maps)},
             {"embree", frames.embree_bytes()},
             {"embree_peak", frames.peak_embree_bytes()}}}};
 }

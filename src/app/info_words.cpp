@@ -94,6 +94,12 @@ std::size_t bytes_in_memory(const std::vector<Mesh>& meshes) {
   return sum;
 }
 
+std::size_t bytes_in_memory(const std::vector<SkyMap>& maps) {
+  std::size_t sum = 0;
+  for (const SkyMap& map : maps) sum += bytes(map.pixels);
+  return sum;
+}
+
 std::size_t bytes_in_memory(const std::vector<Image>& images) {
   std::size_t sum = 0;
   for (const Image& image : images) sum += bytes(image.rgba);

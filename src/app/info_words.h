@@ -24,6 +24,7 @@ std::string shine_text(const Light& light);
 std::size_t bytes_in_memory(const Mesh& mesh);
 std::size_t bytes_in_memory(const std::vector<Mesh>& meshes);
 std::size_t bytes_in_memory(const std::vector<Image>& images);
+std::size_t bytes_in_memory(const std::vector<SkyMap>& maps);
 
 // Of each mesh, whether it is closed. Bytes, since vector<bool> is none of its type.
 std::vector<char> closedness_of(const std::vector<Mesh>& meshes);

@@ -21,9 +21,9 @@ inline constexpr double least_judged_luminance = 0.05;
 // The samples of 16 pixels. All sets get equally many, or one more.
 class Replicates {
  public:
-  // One sample each of one exposure, or of the first of several. `scale` goes with what is added.
+  // Adds `scale` times what one sample of an exposure saw.
   void add(int replicate, const RadianceLanes& radiance, float scale);
-  // As many samples as were told: once for all exposures of one sample.
+  // Once a sample, however many exposures it has: they add up to one number.
   void count(int replicate) { ++counts_[static_cast<std::size_t>(replicate)]; }
 
   int samples() const;

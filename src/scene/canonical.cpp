@@ -95,6 +95,17 @@ std::string text_of(const TextureUse& use) {
                      text_of(t.along_v), text_of(t.offset));
 }
 
+void add_spectrum(Listing& list, const EmissionSpectrum& spectrum, const std::string& key) {
+  if (spectrum.empty()) return;
+  std::string text;
+  for (const SpectrumPoint& p : spectrum.points)
+    text += fmt::format("{} {}; ", p.wavelength, p.value);
+  for (const EmissionLine& line : spectrum.lines) {
+    text += fmt::format("line {} {} {}; ", line.wavelength, line.power, line.width);
+  }
+  list.add(key, text);
+}
+
 void add_material(Listing& list, const Material& m, const std::string& key) {
   list.add(key + ".name", m.name);
   for (const NumberProperty& property : number_properties) {
@@ -103,6 +114,8 @@ void add_material(Listing& list, const Material& m, const std::string& key) {
   for (const ColorProperty& property : color_properties) {
     add_color(list, fmt::format("{}.{}", key, property.name), m.*property.member);
   }
+  add_number(list, key + ".emission_temperature", m.emission_temperature);
+  add_spectrum(list, m.emission_spectrum, key + ".emission_spectrum");
   for (const TextureProperty& property : texture_properties) {
     const TextureUse& use = m.*property.member;
     if (use.texture >= 0) list.add(fmt::format("{}.{}", key, property.name), text_of(use));
@@ -149,6 +162,8 @@ void add_light(Listing& list, const Light& light, const std::string& key) {
   }
   add_color(list, key + ".color", light.color);
   add_number(list, key + ".intensity", light.intensity);
+  add_number(list, key + ".temperature", light.temperature);
+  add_spectrum(list, light.spectrum, key + ".spectrum");
   if (light.sky_map < 0) return;
   list.add(key + ".sky_map", light.sky_map);
   for (int i = 0; i < 3; ++i) {
@@ -189,6 +204,10 @@ std::string canonical_settings(const Scene& scene) {
   list.add("render.integrator", static_cast<int>(scene.render.integrator));
   list.add("render.depth", scene.render.depth);
   list.add("render.beaming", scene.render.beaming ? "true" : "false");
+  list.add("render.doppler", scene.render.doppler ? "true" : "false");
+  if (const auto& band = scene.render.observe) {
+    list.add("render.observe", fmt::format("{:.17g} {:.17g}", band->from, band->to));
+  }
   list.add("render.seed", fmt::format("{}", scene.render.seed));
   std::string layers;
   for (const Layer layer : scene.output.layers)

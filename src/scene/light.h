@@ -5,6 +5,7 @@
 #include <string>
 
 #include "physics/worldline.h"
+#include "scene/emission_spectrum.h"
 #include "scene/temporal_function.h"
 
 namespace restframe {
@@ -33,7 +34,10 @@ struct Light {
   Vec3 direction{0, 0, -1};  // in which its light goes; unit; spot and sun
   std::optional<Sweep> sweep;                             // spot
   double inner_cone = 0, outer_cone = 0.785398163397448;  // half-angles in radians; spot
+  // Of D65 light; or what a filter before the spectrum lets through.
   TemporalColor color{Vec3f(1)};
+  TemporalNumber temperature{0.0F};  // of a blackbody, K; 0: it is none
+  EmissionSpectrum spectrum;
   // point, spot: W/sr; sun: W/m^2 across its direction, in its rest frame; environment: radiance.
   // Metres are scene lengths.
   TemporalNumber intensity{1.0F};

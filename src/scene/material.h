@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "scene/emission_spectrum.h"
 #include "scene/temporal_function.h"
 
 namespace restframe {
@@ -36,6 +37,9 @@ struct Material {
   TextureUse normal_texture;
   TemporalColor emission{Vec3f(0)};
   TemporalNumber emission_strength{1.0F};
+  // What glows with a spectrum of its own; `emission` is a filter before it then.
+  TemporalNumber emission_temperature{0.0F};  // of a blackbody, K; 0: it is none
+  EmissionSpectrum emission_spectrum;
   TextureUse emission_texture;
   TemporalNumber ior{1.5F};
   TemporalNumber transmission{0.0F};  // fraction of the light below the surface that goes through

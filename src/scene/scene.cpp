@@ -51,6 +51,14 @@ void check_noise(const Scene& scene, Faults& faults) {
   }
 }
 
+void check_band(const RenderSettings& render, Faults& faults) {
+  if (!render.observe) return;
+  if (!render.doppler) faults.emplace_back("render: observe goes with doppler = true only");
+  for (const std::string& fault : band_faults(*render.observe)) {
+    faults.push_back("render: observe: " + fault);
+  }
+}
+
 void check_settings(const Scene& scene, Faults& faults) {
   check_positive(scene.light_speed, "light_speed", faults);
   check_positive(scene.animation.rate, "animation: rate", faults);
@@ -65,6 +73,7 @@ void check_settings(const Scene& scene, Faults& faults) {
     faults.push_back(fmt::format("output: exposure is {}, must be from {} to {}",
                                  scene.output.exposure, -most_stops, most_stops));
   }
+  check_band(scene.render, faults);
   const auto fault = output_pattern_fault(scene.output.path, scene.animation.pictures);
   if (fault) faults.push_back("output: " + *fault);
   const std::set<Layer> layers(scene.output.layers.begin(), scene.output.layers.end());

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "physics/observer.h"
+
 namespace restframe {
 
 struct AnimationSettings {
@@ -55,8 +57,11 @@ struct RenderSettings {
   // Replicates::noise); 0: never.
   double noise = 0;
   IntegratorKind integrator = IntegratorKind::preview;
-  int depth = 8;  // the most surfaces that scatter a path
+  int depth = 8;         // the most surfaces that scatter a path
+  bool doppler = false;  // wavelengths shift, and light is followed by wavelength
   bool beaming = false;
+  // The band that is seen, in false colours, instead of what is visible; with doppler.
+  std::optional<WavelengthBand> observe;
   std::uint64_t seed = 0;
 };
 

@@ -34,20 +34,30 @@ float reduce(float x, Wrap wrap) {
   return x - period * std::floor(x / period);
 }
 
+// Into 0 to size - 1, by steps of `size`, of which it is mostly one at most: no division.
+int into_period(int i, int size) {
+  if (i < 0) i += size;
+  if (i >= size) i -= size;
+  return i >= 0 && i < size ? i : (i % size + size) % size;
+}
+
 // The texel that stands at place i of an endless row, of which i is at most one texel outside a
 // period.
 int wrapped(int i, int size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
-  if (wrap == Wrap::repeat) return (i + size) % size;
-  const int place = (i + 2 * size) % (2 * size);
+  if (wrap == Wrap::repeat) return into_period(i, size);
+  const int place = into_period(i, 2 * size);
   return place < size ? place : 2 * size - 1 - place;
 }
 
-Vec4f texel(const Texture& texture, const TexelGrid& grid, int i, int j) {
-  const auto column = static_cast<std::size_t>(wrapped(i, grid.width, texture.wrap_u));
-  const auto row = static_cast<std::size_t>(wrapped(j, grid.height, texture.wrap_v));
-  const std::uint8_t* rgba = grid.rgba + 4 * (row * static_cast<std::size_t>(grid.width) + column);
-  const std::array<float, 256>& table = texture.srgb ? srgb_table : data_table;
+// The first byte of a row.
+const std::uint8_t* row_of(const TexelGrid& grid, int row) {
+  return grid.rgba +
+         std::size_t{4} * static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width);
+}
+
+Vec4f texel(const std::array<float, 256>& table, const std::uint8_t* row, int column) {
+  const std::uint8_t* rgba = row + std::size_t{4} * static_cast<std::size_t>(column);
   return {table[rgba[0]], table[rgba[1]], table[rgba[2]], data_table[rgba[3]]};
 }
 
@@ -60,18 +70,22 @@ Vec4f sample_texture(const Texture& texture, const Image& image, const Vec2f& uv
 
 Vec4f sample_grid(const Texture& texture, TextureFilter filter, const TexelGrid& grid,
                   const Vec2f& uv) {
+  const std::array<float, 256>& table = texture.srgb ? srgb_table : data_table;
+  const auto column = [&](int i) { return wrapped(i, grid.width, texture.wrap_u); };
+  const auto row = [&](int j) { return row_of(grid, wrapped(j, grid.height, texture.wrap_v)); };
   const float x = reduce(uv.x, texture.wrap_u) * static_cast<float>(grid.width);
   const float y = reduce(uv.y, texture.wrap_v) * static_cast<float>(grid.height);
   if (filter == TextureFilter::nearest) {
-    return texel(texture, grid, static_cast<int>(x), static_cast<int>(y));
+    return texel(table, row(static_cast<int>(y)), column(static_cast<int>(x)));
   }
   // Texel centres are at half-integers.
   const float left = std::floor(x - 0.5F), top = std::floor(y - 0.5F);
   const float s = x - 0.5F - left, t = y - 0.5F - top;
-  const int i = static_cast<int>(left), j = static_cast<int>(top);
-  const Vec4f above = glm::mix(texel(texture, grid, i, j), texel(texture, grid, i + 1, j), s);
-  const Vec4f below =
-      glm::mix(texel(texture, grid, i, j + 1), texel(texture, grid, i + 1, j + 1), s);
+  const int first = column(static_cast<int>(left)), second = column(static_cast<int>(left) + 1);
+  const std::uint8_t* upper = row(static_cast<int>(top));
+  const std::uint8_t* lower = row(static_cast<int>(top) + 1);
+  const Vec4f above = glm::mix(texel(table, upper, first), texel(table, upper, second), s);
+  const Vec4f below = glm::mix(texel(table, lower, first), texel(table, lower, second), s);
   return glm::mix(above, below, t);
 }
 

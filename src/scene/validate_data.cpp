@@ -122,6 +122,8 @@ void validate_materials(const Scene& scene, Faults& faults) {
     for (const ColorProperty& p : color_properties) {
       validate_color(scene, material.*p.member, name + p.name, faults, {0, p.high});
     }
+    validate_spectrum(scene, material.emission_temperature, material.emission_spectrum,
+                      name + "emission", faults);
     for (const TextureProperty& p : texture_properties) {
       check_texture(scene, material.*p.member, name + p.name, faults);
     }

@@ -36,6 +36,10 @@ void validate_poses(const Scene& scene, std::vector<std::string>& faults);
 void validate_mesh(const Mesh& mesh, std::vector<std::string>& faults);
 void validate_materials(const Scene& scene, std::vector<std::string>& faults);
 void validate_textures(const Scene& scene, std::vector<std::string>& faults);
+// What lights and materials emit.
+void validate_spectrum(const Scene& scene, const TemporalNumber& temperature,
+                       const EmissionSpectrum& spectrum, const std::string& name,
+                       std::vector<std::string>& faults);
 void validate_sky_map(const SkyMap& map, std::vector<std::string>& faults);
 // But for its worldline. `name` names it in faults.
 void validate_light(const Scene& scene, const Light& light, const std::string& name,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/spectrum.h"
 #include "scene/validate_data.h"
 
 namespace restframe {
@@ -60,6 +61,15 @@ void check_sky_map(const Scene& scene, const Light& light, const std::string& na
 
 }  // namespace
 
+void validate_spectrum(const Scene& scene, const TemporalNumber& temperature,
+                       const EmissionSpectrum& spectrum, const std::string& name, Faults& faults) {
+  validate_number(scene, temperature, name + ": temperature", faults,
+                  {0, static_cast<float>(hottest_kelvin)});
+  for (const std::string& fault : spectrum_faults(temperature, spectrum)) {
+    faults.push_back(name + ": " + fault);
+  }
+}
+
 void validate_sky_map(const SkyMap& map, Faults& faults) {
   const std::string name = fmt::format("sky map \"{}\"", map.name);
   const bool positive = map.width > 0 && map.height > 0;
@@ -85,6 +95,7 @@ void validate_light(const Scene& scene, const Light& light, const std::string& n
   if (light.sweep) check_sweep(*light.sweep, name, faults);
   validate_color(scene, light.color, name + ": color", faults);
   validate_number(scene, light.intensity, name + ": intensity", faults);
+  validate_spectrum(scene, light.temperature, light.spectrum, name, faults);
   check_sky_map(scene, light, name, faults);
 }
 

@@ -25,21 +25,21 @@ class AliasTable {
   std::uint32_t choose_and_reuse(double& u) const {
     const double place = u * static_cast<double>(bins_.size());
     const auto bin = static_cast<std::uint32_t>(place);
-    const double within = place - bin, own = bins_[bin].own;
+    const double within = place - bin, own = static_cast<double>(bins_[bin].own);
     const bool takes_own = within < own;
     u = std::min(takes_own ? within / own : (within - own) / (1.0 - own), 1.0 - 0x1p-53);
     return takes_own ? bin : bins_[bin].other;
   }
 
-  double chance(std::uint32_t index) const { return chances_[index]; }
+  double chance(std::uint32_t index) const { return static_cast<double>(chances_[index]); }
 
  private:
   struct Bin {
-    double own = 1;  // the part of the bin that is its own; the rest is the other's
+    float own = 1;  // the part of the bin that is its own; the rest is the other's
     std::uint32_t other = 0;
   };
   std::vector<Bin> bins_;
-  std::vector<double> chances_;
+  std::vector<float> chances_;
   double total_ = 0;
 };
 

@@ -36,7 +36,9 @@ void add_times(const Scene& scene, FunctionIndex index, std::vector<double>& tim
     if (intervals->period) end = *intervals->period;
     for (const auto& interval : intervals->intervals) {
       times.push_back(0.5 * (interval.begin + interval.end));
-      if (!intervals->period) stretch(interval.begin - 1), stretch(interval.end + 1);
+      if (intervals->period) continue;
+      stretch(interval.begin - 1);
+      stretch(interval.end + 1);
     }
   } else if (const auto* keys = std::get_if<KeyFunction>(&function)) {
     if (keys->period) end = *keys->period;
@@ -70,6 +72,16 @@ double typical(const Scene& scene, const TemporalColor& color, const TemporalNum
       std::max(0.5 * (average + largest), least_part * largest_color * largest_factor);
   const bool may_surprise = color.function != no_function || factor.function != no_function;
   return std::max(power, may_surprise ? 1e-6 : 0.0);
+}
+
+// Of light of a spectrum of its own: about its energy, since what is invisible may be shifted.
+double spectrum_power(const Material& material) {
+  const EmissionSpectrum& spectrum = material.emission_spectrum;
+  if (!has_own_spectrum(material.emission_temperature, spectrum)) return 1;
+  const bool is_hot = has_own_spectrum(material.emission_temperature, {});
+  double power = is_hot || !spectrum.points.empty() ? 1 : 1e-6;
+  for (const EmissionLine& line : spectrum.lines) power += static_cast<double>(line.power);
+  return power;
 }
 
 // Means of a texture: over all of its image, and over triangles.
@@ -137,7 +149,8 @@ bool emits(const Material& material) {
 EmittedPower emitted_power(const Scene& scene, const Material& material,
                            TemporalEvaluator& evaluator) {
   EmittedPower power;
-  power.emission = typical(scene, material.emission, material.emission_strength, evaluator);
+  power.emission = typical(scene, material.emission, material.emission_strength, evaluator) *
+                   spectrum_power(material);
   if (material.unlit) power.base = typical(scene, material.base_color, {1.0F}, evaluator);
   return power;
 }

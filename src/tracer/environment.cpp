@@ -7,6 +7,7 @@
 
 #include "physics/clones.h"
 #include "tracer/light_arrival.h"
+#include "tracer/light_emission.h"
 
 namespace restframe {
 namespace {
@@ -79,6 +80,7 @@ RESTFRAME_CLONES void incident_from_sky(const Environment& environment,
   Arrival arrival;
   arrive(place, lit, towards, arrival, incident);
   incident.s_light.fill(std::numeric_limits<double>::infinity());
+  Lanes<double> clock;
   for (int i = 0; i < packet_size; ++i) {
     density[i] *= arrival.frequency[i] * arrival.frequency[i];
     incident.active[i] = density[i] > 0.0 ? lit.active[i] : 0;
@@ -88,7 +90,9 @@ RESTFRAME_CLONES void incident_from_sky(const Environment& environment,
     const float factor =
         emitter_factor(settings.beaming, arrival.doppler[i]) / static_cast<float>(density[i]);
     incident.irradiance.set(i, radiance * factor);
+    clock[i] = at.t[i] + place.clock_at_anchor;
   }
+  set_temperature(*place.light, clock, evaluator, incident);
 }
 
 }  // namespace restframe

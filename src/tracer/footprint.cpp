@@ -1,6 +1,5 @@
 #include "tracer/footprint.h"
 
-#include <array>
 #include <cmath>
 
 namespace restframe {
@@ -34,25 +33,28 @@ TextureFootprint footprint(const MetSurface& met, const TextureUse& use) {
   if (!(squared > 0)) return {};
 
   // Two vectors of the width's length in the plane: across the ray, and along what it leans to.
+  const double inverse = 1.0 / squared, inverse_length = std::sqrt(inverse);
   const Vec3 sight(met.hits.sight.at(met.lane));
-  const Vec3 unit_normal = normal / std::sqrt(squared);
-  const double cosine = std::max(std::abs(glm::dot(unit_normal, sight)), least_cosine);
-  const Vec3 leaning = sight - unit_normal * glm::dot(unit_normal, sight);
+  const double facing = glm::dot(normal, sight);
+  const double cosine = std::max(std::abs(facing) * inverse_length, least_cosine);
+  const Vec3 leaning = sight - normal * (facing * inverse);
   const double sine = glm::length(leaning);
   const Vec3 along = sine > 1e-6 ? leaning / sine : glm::normalize(edges.second);
-  const double width = static_cast<double>(met.width);
+  const Vec3 across = glm::cross(normal, along) * inverse_length;
 
-  // A vector v of the plane is a edges.second + b edges.third.
+  // A vector of the plane is (v . to_second) edges.second + (v . to_third) edges.third.
+  const Vec3 to_second = glm::cross(edges.third, normal) * inverse;
+  const Vec3 to_third = glm::cross(normal, edges.second) * inverse;
   const std::vector<Vec2f>& uvs = mesh.uvs[set];
   const Vec2f u2 = uvs[t[1]] - uvs[t[0]], u3 = uvs[t[2]] - uvs[t[0]];
   const Vec2f second = u2.x * use.transform.along_u + u2.y * use.transform.along_v;
   const Vec2f third = u3.x * use.transform.along_u + u3.y * use.transform.along_v;
-  const auto on_texture = [&](const Vec3& v) {
-    const double a = glm::dot(glm::cross(v, edges.third), normal) / squared;
-    const double b = glm::dot(glm::cross(edges.second, v), normal) / squared;
-    return static_cast<float>(a) * second + static_cast<float>(b) * third;
+  const auto on_texture = [&](const Vec3& v, double length) {
+    return static_cast<float>(length * glm::dot(v, to_second)) * second +
+           static_cast<float>(length * glm::dot(v, to_third)) * third;
   };
-  return {on_texture(along * (width / cosine)), on_texture(glm::cross(unit_normal, along) * width)};
+  const double width = static_cast<double>(met.width);
+  return {on_texture(along, width / cosine), on_texture(across, width)};
 }
 
 }  // namespace restframe

@@ -50,6 +50,7 @@ inline void arrive_at_rest(const LitLanes& lit, const Vec3Lanes& towards_light, 
     const double omega = lit.omega[i];
     arrival.frequency[i] = 1.0;
     arrival.doppler[i] = 1.0 / omega;
+    incident.omega[i] = omega;
     incident.direction.set(i, Vec3f(towards_light.at(i)));
     incident.k.t[i] = -omega;
     incident.k.x.set(i, towards_light.at(i) * omega);
@@ -75,6 +76,7 @@ inline void arrive(const LightPlace& place, const LitLanes& lit, const Vec3Lanes
     const double omega_emitted = lit.omega[i] / -k.t;
     arrival.frequency[i] = -k.t;
     arrival.doppler[i] = -k.t / lit.omega[i];
+    incident.omega[i] = omega_emitted;
     incident.direction.set(i, Vec3f(sight_direction(k)));
     incident.k.t[i] *= omega_emitted;
     incident.k.x.set(i, incident.k.x.at(i) * omega_emitted);

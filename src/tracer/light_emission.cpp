@@ -45,8 +45,18 @@ Vec3f emitted(const Light& light, double clock, TemporalEvaluator& evaluator) {
   return glm::max(evaluator(light.color, clock) * evaluator(light.intensity, clock), Vec3f(0));
 }
 
+void set_temperature(const Light& light, const Lanes<double>& clock, TemporalEvaluator& evaluator,
+                     IncidentLanes& incident) {
+  const TemporalNumber& temperature = light.temperature;
+  if (temperature.function == no_function) return incident.kelvin.fill(temperature.value);
+  for (int i = 0; i < packet_size; ++i) {
+    if (incident.active[i] != 0) incident.kelvin[i] = evaluator(temperature, clock[i]);
+  }
+}
+
 void set_emitted(const Light& light, const Lanes<double>& clock, TemporalEvaluator& evaluator,
                  IncidentLanes& incident) {
+  set_temperature(light, clock, evaluator, incident);
   if (is_constant(light)) {
     const Vec3f always = emitted(light, 0.0, evaluator);
     incident.irradiance.x.fill(always.x);

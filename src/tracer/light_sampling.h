@@ -34,6 +34,10 @@ struct IncidentLanes {
   Lanes<double> s_light;         // where the light is along k; infinite for a sun
   Vec3fLanes direction;          // unit, towards the light, in the surface's rest frame
   Vec3fLanes irradiance;         // of a surface across it there, times the emitter's factor
+  Lanes<double> omega;  // the light's frequency in the light's rest frame over that in the camera
+  // Where spectra matter: whose it is (an index into SceneSpectra), and its temperature, if it has one.
+  Lanes<std::int32_t> spectrum;
+  Lanes<float> kelvin;
   Lanes<std::int32_t> active;
 };
 

@@ -1,9 +1,10 @@
 #pragma once
 
-// Points that fill the unit square or cube evenly: the first three dimensions of Sobol's sequence,
+// Points that fill the unit square or cube evenly: the first four dimensions of Sobol's sequence,
 // scrambled as Owen proposed (1995), by a hash instead of tables (Burley 2020). In two dimensions every
 // aligned run of 2^k points is a (0, k, 2)-net: each of the 2^k equal rectangles of any one shape 2^-i
-// by 2^(i-k) holds one of them. In three it is a (1, k, 3)-net: each of 2^(k-1) equal boxes holds two.
+// by 2^(i-k) holds one of them. In three it is a (1, k, 3)-net: each of 2^(k-1) equal boxes holds two, and
+// in four a (3, k, 4)-net.
 // A few operations on 32 bits a point, without branches: loops over lanes use them, too.
 
 #include <array>
@@ -42,22 +43,35 @@ inline std::uint32_t sobol_second_reversed(std::uint32_t index) {
   return index ^ (index >> 16);
 }
 
-// The direction numbers of the third dimension, their bits reversed: from the primitive polynomial
-// x^2 + x + 1 and the first numbers 1 and 3, each m_k is 2 m_(k-1) xor 4 m_(k-2) xor m_(k-2) (Bratley
-// and Fox 1988, section 2).
-inline constexpr std::array<std::uint32_t, 32> sobol_third_directions = [] {
-  std::array<std::uint32_t, 32> reversed{1, 3};  // bit i of m_k is bit k - 1 - i here
+// The direction numbers of one dimension, their bits reversed.
+using SobolDirections = std::array<std::uint32_t, 32>;
+
+// Of the third dimension: from the primitive polynomial x^2 + x + 1 and the first numbers 1 and 3, each
+// m_k is 2 m_(k-1) xor 4 m_(k-2) xor m_(k-2) (Bratley and Fox 1988, section 2). Bit i of m_k is bit
+// k - 1 - i here.
+inline constexpr SobolDirections sobol_third = [] {
+  SobolDirections reversed{1, 3};
   for (std::size_t k = 2; k < 32; ++k) {
     reversed[k] = reversed[k - 1] ^ reversed[k - 2] ^ (reversed[k - 2] << 2);
   }
   return reversed;
 }();
 
-// The third dimension, as the second.
-inline std::uint32_t sobol_third_reversed(std::uint32_t index) {
+// Of the fourth: from x^3 + x + 1 and the first numbers 1, 3 and 1 (Joe and Kuo 2008), each m_k is
+// 4 m_(k-2) xor 8 m_(k-3) xor m_(k-3).
+inline constexpr SobolDirections sobol_fourth = [] {
+  SobolDirections reversed{1, 3, 4};
+  for (std::size_t k = 3; k < 32; ++k) {
+    reversed[k] = reversed[k - 2] ^ reversed[k - 3] ^ (reversed[k - 3] << 3);
+  }
+  return reversed;
+}();
+
+// A coordinate of Sobol's sequence at `index`, its bits reversed.
+inline std::uint32_t sobol_reversed(const SobolDirections& directions, std::uint32_t index) {
   std::uint32_t reversed = 0;
   for (std::uint32_t bit = 0; bit < 32; ++bit) {
-    reversed ^= (0U - ((index >> bit) & 1U)) & sobol_third_directions[bit];
+    reversed ^= (0U - ((index >> bit) & 1U)) & directions[bit];
   }
   return reversed;
 }

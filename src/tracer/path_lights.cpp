@@ -38,6 +38,7 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
   IncidentLanes from_light;
   incident(light, vertices_.at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},
            evaluator_, from_light);
+  if (stage_.spectra.matters) from_light.spectrum.fill(stage_.spectrum_of(light));
   Vec3fLanes fraction;
   Lanes<float> by_chance;
   scattered_fraction(vertices_.bsdf, lobes, from_light.direction, fraction, by_chance);
@@ -60,17 +61,24 @@ void PathWalk::darken_insides(IncidentLanes& from) const {
 RESTFRAME_CLONES void PathWalk::add_arriving(const IncidentLanes& from_light, const LitLanes& lit,
                                              const Vec3fLanes& fraction, ShadowKind kind) {
   const HitEvents& at = vertices_.at;
+  const Vec3fLanes *irradiance = &from_light.irradiance, *scattered = &fraction;
+  ArrivingLanes by_lane;
+  if (stage_.spectra.matters) {
+    by_wavelength(from_light, fraction, by_lane);
+    irradiance = &by_lane.irradiance;
+    scattered = &by_lane.fraction;
+  }
+  const bool has_lines = follows_lines();
   Vec3fLanes arriving;
   RayPacket shadows;
   shadows.coherent = rays_.coherent;  // those of what the camera sees begin close together
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const Vec3f light_of_lane =
-        fraction.at(i) * from_light.irradiance.at(i) * paths_.throughput.at(i);
+    const Vec3f light_of_lane = scattered->at(i) * irradiance->at(i) * paths_.throughput.at(i);
     arriving.set(i, light_of_lane);
     const bool dark =
         (light_of_lane.x == 0.0F) & (light_of_lane.y == 0.0F) & (light_of_lane.z == 0.0F);
-    shadows.active[i] = dark ? 0 : from_light.active[i];
+    shadows.active[i] = (dark & !has_lines) ? 0 : from_light.active[i];
   }
   if (!any_active(shadows.active)) return;
   shadows.origin = at.event;
@@ -88,6 +96,7 @@ RESTFRAME_CLONES void PathWalk::add_arriving(const IncidentLanes& from_light, co
     paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
     paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;
   }
+  if (has_lines) receive_lines(from_light, fraction, reached, left);
 }
 
 }  // namespace restframe

@@ -83,11 +83,12 @@ void PathWalk::follow(int lane, const ScatteredLanes& scattered) {
 // Russian roulette: paths that hardly matter any more end by chance, the others stand for them.
 bool PathWalk::survives(int lane) {
   const Vec3f throughput = paths_.throughput.at(lane);
-  const float weight = largest(throughput);
+  const float weight = follows_lines() ? history_.most_left(lane) : largest(throughput);
   if (!(weight > 0.0F)) return false;
   if (paths_.scatterings[lane] <= sure_scatterings) return true;
   const float chance = std::min(1.0F, weight);
   paths_.throughput.set(lane, throughput / chance);
+  if (follows_lines()) history_.scale(lane, 1.0F / chance);
   return random(lane, Dimension::survival) < chance;
 }
 

@@ -24,7 +24,13 @@ PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch s
              {},
              environments(scene),
              search == LightSearch::by_chance ? Emitters() : Emitters(scene, frames),
-             search},
+             search,
+             false,
+             false,
+             false,
+             false,
+             false,
+             SceneSpectra(scene)},
       crossed_media_(no_crossing) {
   for (Environment& sky : stage_.environments) {
     if (search == LightSearch::by_chance) sky.is_sampled = false;

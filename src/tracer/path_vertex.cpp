@@ -29,7 +29,8 @@ PlainMaterial plain_material(const Material& m) {
   const auto constant = [](const auto& property) { return property.function == no_function; };
   const bool changes = !(constant(m.base_color) && constant(m.metallic) && constant(m.roughness) &&
                          constant(m.emission) && constant(m.emission_strength) && constant(m.ior) &&
-                         constant(m.specular) && constant(m.specular_color));
+                         constant(m.specular) && constant(m.specular_color)) ||
+                       has_own_spectrum(m.emission_temperature, m.emission_spectrum);
   const bool textured = m.base_color_texture.texture >= 0 ||
                         m.metallic_roughness_texture.texture >= 0 ||
                         m.emission_texture.texture >= 0 || m.specular_texture.texture >= 0 ||
@@ -54,6 +55,7 @@ PlainMaterial plain_material(const Material& m) {
 // Surfaces that light does not just pass: they shine, and scatter.
 void PathWalk::meet() {
   arrive();
+  if (stage_.spectra.shifts) find_local_spectra();
   ShineLanes shines;
   vertices_.active.fill(0);
   vertices_.bsdf.layered = false;
@@ -63,8 +65,11 @@ void PathWalk::meet() {
       if (group[lane] != 0) set_changing_material(lane, shines);
     }
   });
-  if (shines.any) weigh_emission(shines);
+  if (shines.any || shines.any_own) weigh_emission(shines);
   if (shines.any) add_emission(shines);
+  for (int lane = 0; shines.any_own && lane < packet_size; ++lane) {
+    if (met_[lane] != 0) add_own_spectrum(lane, shines);
+  }
   if (!any_active(vertices_.active)) return;
   set_geometry();
   view_lobes(vertices_.bsdf, vertices_.lobes);
@@ -134,7 +139,12 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   }
   const bool needs_base = material.unlit || scatters;
   const Vec3f base = needs_base ? base_color(met, texture_[lane], clock, evaluator_) : Vec3f(0);
-  shines.set(lane, material.unlit ? emitted + base : emitted);
+  if (has_own_spectrum(material.emission_temperature, material.emission_spectrum)) {
+    shines.set_own(lane, emitted, evaluator_(material.emission_temperature, clock));
+    shines.set(lane, material.unlit ? base : Vec3f(0));
+  } else {
+    shines.set(lane, material.unlit ? emitted + base : emitted);
+  }
   if (material.unlit || !scatters) return;
   ++paths_.scatterings[lane];
   vertices_.active[lane] = -1;
@@ -146,13 +156,31 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
 
 void PathWalk::add_emission(const ShineLanes& shines) {
   const bool beaming = stage_.scene.render.beaming;
+  Vec3fLanes light = shines.radiance;
+  if (stage_.spectra.shifts) {
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (met_[lane] == 0) continue;
+      light.set(lane, light_by_wavelength(lane, stage_.spectra.daylight, light.at(lane), 0.0F,
+                                          paths_.omega[lane]));
+    }
+  }
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const float factor = emitter_factor(beaming, 1.0 / paths_.omega[i]);
-    const Vec3f sum =
-        paths_.radiance.at(i) + paths_.throughput.at(i) * shines.radiance.at(i) * factor;
+    const Vec3f sum = paths_.radiance.at(i) + paths_.throughput.at(i) * light.at(i) * factor;
     set_in(met_, i, paths_.radiance, sum);
   }
+}
+
+void PathWalk::add_own_spectrum(int lane, const ShineLanes& shines) {
+  const double omega = paths_.omega[lane];
+  const Vec3f color =
+      shines.own.at(lane) * emitter_factor(stage_.scene.render.beaming, 1.0 / omega);
+  if (color == Vec3f(0)) return;
+  const auto material = static_cast<std::size_t>(surfaces_.material[lane]);
+  const EmitterSpectrum& spectrum = stage_.spectra.all[material];
+  receive(lane, light_by_wavelength(lane, spectrum, color, shines.kelvin[lane], omega));
+  if (follows_lines()) receive_lines(lane, spectrum, color, omega);
 }
 
 RESTFRAME_CLONES void PathWalk::set_geometry() {

@@ -25,6 +25,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   for (int i = 0; stage_.tables.has_textures() && i < packet_size; ++i) {
     paths_.cone[i] = {0.0F, rays.has_spread ? rays.spread[i] : 0.0F};
   }
+  if (stage.spectra.shifts) choose_wavelengths();
   chosen_.density.fill(0.0F);
   if (data_ != nullptr) data_->fill({});
 }
@@ -34,12 +35,6 @@ void PathWalk::run() {
     if (!find_surfaces()) break;
     stop_or_pass();
     if (any_active(met_)) meet();
-  }
-}
-
-void PathWalk::take_radiance(RadianceLanes& radiance) const {
-  for (int lane = 0; lane < packet_size; ++lane) {
-    radiance[lane] = Vec4f(paths_.radiance.at(lane), paths_.coverage[lane]);
   }
 }
 
@@ -86,7 +81,7 @@ void PathWalk::add_environments(int lane) {
   for (const Environment& sky : stage_.environments) {
     const Vec3f radiance = environment_radiance(sky.place, rays_.origin.at(lane), rays_.k.at(lane),
                                                 stage_.scene.render.beaming, evaluator_);
-    receive(lane, radiance * share_of_sky(sky, lane));
+    receive_from_sky(sky, lane, radiance * share_of_sky(sky, lane));
     paths_.coverage[lane] = 1;
   }
 }

@@ -6,9 +6,11 @@
 
 #include "tracer/bsdf.h"
 #include "tracer/emitter_points.h"
+#include "tracer/emitter_spectrum.h"
 #include "tracer/environment.h"
 #include "tracer/footprint.h"
 #include "tracer/light_sampling.h"
+#include "tracer/line_history.h"
 #include "tracer/medium_stack.h"
 #include "tracer/plain_material.h"
 #include "tracer/random.h"
@@ -37,6 +39,11 @@ struct PathStage {
   bool has_see_through = false;  // materials that let light pass straight on
   bool has_clocks = false;       // something that changes over time
   bool has_media = false;        // materials that light can be inside of
+  SceneSpectra spectra;
+
+  std::int32_t spectrum_of(const LightPlace& place) const {
+    return spectra.of_light(place.light - scene.lights.data());
+  }
 };
 
 // What light meets on its way to a surface: lamps without size are hidden by back faces, too; what
@@ -73,21 +80,41 @@ class PathWalk {
     BsdfLanes bsdf;
     ViewLobeLanes lobes;
   };
+  // Of paths that are followed by wavelength: three lanes are three wavelengths. Without initial
+  // values.
+  struct WavelengthLanes {
+    Lanes<float> hero;      // what chose them, in [0, 1)
+    Vec3fLanes wavelength;  // the camera's, nm
+    // What surfaces reflect of them, and daylight, where light has `omega` times its frequency.
+    Lanes<double> omega;
+    Lanes<std::array<Vec4f, 3>> local;
+    Vec3fLanes lines;  // light of emission lines, linear Rec. 709
+  };
   // How the paths' last scatterings chose their directions.
   struct ChosenLanes {
     // Per steradian in the rest frame there; 0 where lights were not looked for in that direction: after
     // mirrors, into and out of media, and before the first.
     Lanes<float> density;
-    Lanes<double> omega;  // the light's frequency there
+    Lanes<double> omega;        // the light's frequency there
+    Lanes<std::int32_t> frame;  // the rest frame there ...
+    Vec3fLanes facing;          // ... and where light was looked for, as Receiver has it
   };
-  // What shines towards the paths from what they have met, before the emitter's factor.
+  // What shines towards the paths from what they have met, before the emitter's factor: D65 light of
+  // a colour, and colours of light of the materials' own spectra.
   struct ShineLanes {
-    bool any = false;
-    Vec3fLanes radiance;
+    bool any = false, any_own = false;
+    Vec3fLanes radiance, own;
+    Lanes<float> kelvin;
 
     void set(int lane, const Vec3f& shines) {
       radiance.set(lane, shines);
       any = any || shines != Vec3f(0);
+    }
+    void set_own(int lane, const Vec3f& color, float temperature) {
+      if (!any_own) own = {};
+      own.set(lane, color);
+      kelvin[lane] = temperature;
+      any_own = true;
     }
   };
 
@@ -97,6 +124,7 @@ class PathWalk {
   bool enters_other_frame(int lane);
   void miss();
   void add_environments(int lane);
+  void receive_from_sky(const Environment& sky, int lane, const Vec3f& color);
   void stop_or_pass();
   void stop_or_pass(int lane);
   void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
@@ -118,6 +146,7 @@ class PathWalk {
                           ShineLanes& shines);
   void set_changing_material(int lane, ShineLanes& shines);
   void add_emission(const ShineLanes& shines);
+  void add_own_spectrum(int lane, const ShineLanes& shines);
   void set_geometry();
 
   void add_lights();
@@ -133,11 +162,13 @@ class PathWalk {
 
   void add_emitters(const LitLanes& lit, const ViewLobeLanes& lobes);
   void set_radiance(const EmitterPoints& points, const PointsSeen& seen, IncidentLanes& from);
+  void set_spectrum(const MetSurface& met, const PointsSeen& seen, IncidentLanes& from);
   Vec3f shine(const MetSurface& met, double rest_t);
   void add_sky(const Environment& sky, const LitLanes& lit, const ViewLobeLanes& lobes);
   void add_sampled(IncidentLanes& from, const Lanes<double>& density, const LitLanes& lit,
                    const ViewLobeLanes& lobes);
   void darken_insides(IncidentLanes& from) const;
+  Vec3f facing(int lane) const;
   void set_chosen(int lane, float density);
   float share_of_chance(int lane, double light_density) const;
   float share_of_sky(const Environment& sky, int lane) const;
@@ -149,9 +180,11 @@ class PathWalk {
   void scatter_on();
   void follow(int lane, const ScatteredLanes& scattered);
   bool survives(int lane);
-  // The path goes on with this fraction of its light.
+  // The path goes on with this fraction of its light, a colour at the surface or in the medium that
+  // it is at.
   void weigh(int lane, const Vec3f& weight) {
-    paths_.throughput.set(lane, paths_.throughput.at(lane) * weight);
+    paths_.throughput.set(lane, paths_.throughput.at(lane) * by_wavelength(lane, weight));
+    if (follows_lines()) history_.weigh(lane, weight, paths_.omega[lane]);
   }
   // Light that arrives at the end of the path, its emitter's factor included.
   void receive(int lane, const Vec3f& light) {
@@ -159,6 +192,33 @@ class PathWalk {
   }
   void widen_cone(int lane, float density);
   void depart(int lane, const Vec3f& direction);
+
+  void choose_wavelengths();
+  void find_local_spectra();
+  // A fraction by colour, where the path is, as one by the path's lanes.
+  Vec3f by_wavelength(int lane, const Vec3f& color) const {
+    if (!stage_.spectra.shifts) return color;
+    const std::array<Vec4f, 3>& local = by_wavelength_.local[lane];
+    return {glm::dot(Vec3f(local[0]), color), glm::dot(Vec3f(local[1]), color),
+            glm::dot(Vec3f(local[2]), color)};
+  }
+  // What arrives, and which part of it is scattered, as the paths' lanes have it.
+  struct ArrivingLanes {
+    Vec3fLanes irradiance, fraction;
+  };
+  void by_wavelength(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                     ArrivingLanes& arriving) const;
+  void receive_lines(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                     const Lanes<std::int32_t>& reached, const Lanes<float>& left);
+  // An emitter's light of a colour, which is any factors times the colour, as the path's lanes have
+  // it. omega: its frequency in the emitter's rest frame over that in the camera.
+  Vec3f light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
+                            float kelvin, double omega) const;
+  bool follows_lines() const { return stage_.spectra.shifts && stage_.spectra.has_lines; }
+  // The lines of an emitter's light of a colour: they are not among the path's wavelengths. What the
+  // surface where the path is scatters of it is `scattered`, a colour, if light comes by way of it.
+  void receive_lines(int lane, const EmitterSpectrum& spectrum, const Vec3f& color, double omega,
+                     const Vec3f* scattered = nullptr);
 
   float random(int lane, Dimension dimension) { return random_(lane, dimension, round_); }
 
@@ -171,6 +231,8 @@ class PathWalk {
   std::uint32_t round_ = 0;  // surfaces met so far
   PathLanes paths_;
   ChosenLanes chosen_;
+  WavelengthLanes by_wavelength_;
+  LineHistory history_;
   Lanes<MediumStack> media_;
   HitPacket hits_;
   SurfaceLanes surfaces_;

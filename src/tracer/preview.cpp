@@ -14,7 +14,12 @@ constexpr std::uint32_t most_layers = 1000;
 }  // namespace
 
 Preview::Preview(const Scene& scene, const FrameSet& frames)
-    : scene_(scene), frames_(frames), tables_(scene), places_(object_places(scene, frames)) {
+    : scene_(scene),
+      frames_(frames),
+      tables_(scene),
+      places_(object_places(scene, frames)),
+      spectra_(scene) {
+  if (spectra_.shifts) shifted_.emplace(spectra_.observer);
   simple_.push_back({Vec4f(0), Vec4f(0), 1, 1});
   for (const Material& material : scene.materials) {
     plain_.push_back(plain(material));
@@ -30,7 +35,8 @@ Preview::Simple Preview::simple(const Plain& plain) {
 Preview::Plain Preview::plain(const Material& m) {
   const bool changes = m.base_color.function != no_function || m.opacity.function != no_function ||
                        m.emission.function != no_function ||
-                       m.emission_strength.function != no_function;
+                       m.emission_strength.function != no_function ||
+                       has_own_spectrum(m.emission_temperature, m.emission_spectrum);
   const bool textured =
       m.base_color_texture.texture >= 0 || m.emission_texture.texture >= 0 || has_normal_map(m);
   Plain result;
@@ -61,9 +67,27 @@ Vec4f Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) cons
   if (alpha <= 0.0F) return Vec4f(0);
   if (has_normal_map(surface.material())) tilt_normal(surface, clock, evaluator, surfaces);
   const float light = surface.material().unlit ? 1.0F : surfaces.cosine[met.lane];
-  const Vec3f seen =
-      base_color(surface, texture, clock, evaluator) * light + emission(surface, clock, evaluator);
-  return alpha * Vec4f(seen, 1.0F);
+  const Vec3f lit = base_color(surface, texture, clock, evaluator) * light;
+  const Vec3f glow = emission(surface, clock, evaluator);
+  const Material& material = surface.material();
+  if (!has_own_spectrum(material.emission_temperature, material.emission_spectrum)) {
+    return alpha * Vec4f(as_seen(lit + glow, met), 1.0F);
+  }
+  return alpha * Vec4f(as_seen(lit, met) + own_spectrum(met, glow, clock, evaluator), 1.0F);
+}
+
+// D65 light of a colour where wavelengths shift.
+Vec3f Preview::as_seen(const Vec3f& color, const Met& met) const {
+  return shifted_ ? (*shifted_)(color, doppler_at(met.hits, met.lane)) : color;
+}
+
+Vec3f Preview::own_spectrum(const Met& met, const Vec3f& filter, double clock,
+                            TemporalEvaluator& evaluator) const {
+  const auto index = static_cast<std::size_t>(met.surfaces.material[met.lane]);
+  const EmitterSpectrum& spectrum = spectra_.all[index];
+  const float kelvin = evaluator(scene_.materials[index].emission_temperature, clock);
+  if (!spectra_.shifts) return spectrum.color(filter, kelvin);
+  return spectrum.seen(spectra_.observer, filter, kelvin, doppler_at(met.hits, met.lane));
 }
 
 inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const {
@@ -75,6 +99,7 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
   } else if (surfaces.back[met.lane] == 0 || plain.double_sided) {
     shaded = (plain.lit * surfaces.cosine[met.lane] + plain.unlit) * surfaces.color_at(met.lane) +
              plain.emission;
+    if (shifted_) shaded = Vec4f(as_seen(Vec3f(shaded), met), shaded.w);
   }
   if (scene_.render.beaming) {
     const float factor = emitter_factor(true, doppler_at(met.hits, met.lane));
@@ -86,7 +111,7 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
 RESTFRAME_CLONES bool Preview::shade_simple(const RayPacket& rays, const HitPacket& hits,
                                             const SurfaceLanes& surfaces,
                                             RadianceLanes& radiance) const {
-  if (surfaces.colored || scene_.render.beaming) return false;
+  if (surfaces.colored || scene_.render.beaming || shifted_) return false;
   Lanes<std::int32_t> index, front;
   Lanes<float> cosine;
 #pragma GCC ivdep

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "scene/temporal_evaluator.h"
+#include "tracer/emitter_spectrum.h"
 #include "tracer/random.h"
 #include "tracer/sample.h"
 #include "tracer/surface.h"
@@ -53,14 +56,19 @@ class Preview {
   MetSurface met_surface(const Met& met) const;
   Vec4f shade(const Met& met, TemporalEvaluator& evaluator) const;
   Vec4f shade_changing(const Met& met, TemporalEvaluator& evaluator) const;
+  Vec3f as_seen(const Vec3f& color, const Met& met) const;
+  Vec3f own_spectrum(const Met& met, const Vec3f& filter, double clock,
+                     TemporalEvaluator& evaluator) const;
   SurfaceData data_of(const Met& met) const;
 
   const Scene& scene_;
   const FrameSet& frames_;
   SurfaceTables tables_;
   std::vector<ObjectPlace> places_;
-  std::vector<Plain> plain_;    // a material each
-  std::vector<Simple> simple_;  // nothing, then a material each
+  SceneSpectra spectra_;
+  std::optional<ShiftedDaylight> shifted_;  // where wavelengths shift
+  std::vector<Plain> plain_;                // a material each
+  std::vector<Simple> simple_;              // nothing, then a material each
 };
 
 }  // namespace restframe

@@ -45,7 +45,15 @@ RESTFRAME_CLONES void third_lanes(const BitLanes& points, const BitLanes& seed, 
                                   Lanes<float>& units) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    units[i] = scrambled_unit(sobol_third_reversed(points[i]), use ^ seed[i]);
+    units[i] = scrambled_unit(sobol_reversed(sobol_third, points[i]), use ^ seed[i]);
+  }
+}
+
+RESTFRAME_CLONES void fourth_lanes(const BitLanes& points, const BitLanes& seed, std::uint32_t use,
+                                   Lanes<float>& units) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    units[i] = scrambled_unit(sobol_reversed(sobol_fourth, points[i]), use ^ seed[i]);
   }
 }
 
@@ -62,6 +70,7 @@ void PacketRandom::draw(Dimension first, std::uint32_t index) {
   first_lanes(points, seed_, seeds.place[0], units_[at]);
   if (size > 1) second_lanes(points, seed_, seeds.place[1], units_[at + 1]);
   if (size > 2) third_lanes(points, seed_, seeds.place[2], units_[at + 2]);
+  if (size > 3) fourth_lanes(points, seed_, seeds.place[3], units_[at + 3]);
   for (std::size_t i = at; i < at + size; ++i) drawn_[i] = index + 1;
 }
 

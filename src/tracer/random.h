@@ -13,7 +13,7 @@ namespace restframe {
 // on the order in which threads come by.
 //
 // Each is uniform, but those of one use are no strangers to each other: over the samples of a pixel
-// they fill the unit interval (square, cube) evenly, and over neighbouring pixels, too, so that what
+// they fill the unit interval (or square, or cube) evenly, and over neighbouring pixels, too, so that what
 // remains of error is fine-grained (Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte
 // Carlo sampling error via hierarchical ordering of pixels"). For this, the samples of all pixels are
 // consecutive points of one sequence, pixels in Morton's order, 2^sample_bits points a pixel; each use
@@ -45,19 +45,21 @@ enum class Dimension : std::uint32_t {
   film_v,
   lens_u,
   lens_v,
-  emitter_frame,
-  emitter_triangle,
-  emitter_triangle_digits,
   emitter_u,
   emitter_v,
+  emitter_triangle,
+  emitter_frame,
+  emitter_triangle_digits,
   sky_u,
   sky_v,
+  wavelength,
   count
 };
 
-// Dimensions that are used together make a set of two or three that follow each other, which fill the
-// unit square or cube evenly: where a lobe is chosen by chance, the directions of each lobe still do. The
-// place of a dimension in its set: 0 of what begins one, or is alone.
+// Dimensions that are used together make a set of two to four that follow each other, which fill the
+// unit square or cube evenly: where a lobe is chosen by chance, the directions of each lobe still do.
+// (With choices that are strangers to what is chosen for, nothing is left of the gain.) The first two
+// are the best. The place of a dimension in its set: 0 of what begins one, or is alone.
 constexpr std::uint32_t place_in_set(Dimension dimension) {
   switch (dimension) {
     case Dimension::direction_v:
@@ -67,7 +69,10 @@ constexpr std::uint32_t place_in_set(Dimension dimension) {
     case Dimension::sky_v:
       return 1;
     case Dimension::lobe:
+    case Dimension::emitter_triangle:
       return 2;
+    case Dimension::emitter_frame:
+      return 3;
     default:
       return 0;
   }
@@ -113,7 +118,7 @@ inline SequencePlace place_in_sequence(std::uint32_t pixel, std::uint32_t sample
 // The seeds of one use of random numbers, alike for all pixels and samples.
 struct UseSeeds {
   std::uint32_t order;
-  std::array<std::uint32_t, 3> place;  // of the dimension's place in its set
+  std::array<std::uint32_t, 4> place;  // of the dimension's place in its set
 };
 
 // dimension: the first of its set.
@@ -126,7 +131,7 @@ inline UseSeeds seeds_of(const PacketId& id, Dimension dimension, std::uint32_t 
   const std::uint64_t more = mixed(bits + golden);
   return {static_cast<std::uint32_t>(bits >> 32),
           {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(more >> 32),
-           static_cast<std::uint32_t>(more)}};
+           static_cast<std::uint32_t>(more), static_cast<std::uint32_t>(mixed(more + golden))}};
 }
 
 // In [0, 1). index: tells numbers of one dimension apart, below 2^24.
@@ -136,7 +141,8 @@ inline float random_unit(const PacketId& id, int lane, Dimension dimension, std:
   const std::uint32_t at = place_in_set(dimension);
   std::uint32_t point = shuffled_index(place.index_reversed, seeds.order ^ place.seed);
   if (at == 1) point = sobol_second_reversed(point);
-  if (at == 2) point = sobol_third_reversed(point);
+  if (at == 2) point = sobol_reversed(sobol_third, point);
+  if (at == 3) point = sobol_reversed(sobol_fourth, point);
   return scrambled_unit(point, seeds.place[at] ^ place.seed);
 }
 

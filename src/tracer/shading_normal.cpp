@@ -1,5 +1,6 @@
 #include "tracer/shading_normal.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -94,12 +95,12 @@ Vec3f tilted(const MetSurface& met, const TextureUse& use, float scale) {
 // As surfaces_at has it, before it was tilted.
 Vec3f untilted(const MetSurface& met) {
   if (!has_normal_map(met.material())) return met.surfaces.normal.at(met.lane);
+  const Mesh& mesh = met.mesh();
   const Vec3 normal = on_met_side(
-      met,
-      normal_at(met.mesh(), met.mesh().triangles[met.hits.triangle[met.lane]], weights_of(met)));
-  if (normal == Vec3(0)) return met.surfaces.normal.at(met.lane);
-  const bool away = glm::dot(normal, Vec3(met.hits.sight.at(met.lane))) > 0;
-  return Vec3f(away ? -normal : normal);
+      met, normal_at(mesh, mesh.triangles[met.hits.triangle[met.lane]], weights_of(met)));
+  const Vec3f sight = met.hits.sight.at(met.lane);
+  if (normal == Vec3(0)) return -sight;
+  return Vec3f(glm::dot(normal, Vec3(sight)) > 0 ? -normal : normal);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""Reads an uncompressed single-part EXR of scan lines, without libraries."""
+"""Reads and writes uncompressed single-part EXRs of scan lines, without libraries."""
 
 import struct
 
@@ -62,3 +62,32 @@ def read_exr(path):
             rows[name][y] = struct.unpack_from(f"<{width}{letter}", data, offset)
             offset += size * width
     return width, height, rows, strings_of(attributes.get("objectNames", b""))
+
+
+def attribute_bytes(name, kind, value):
+    return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(value)) + value
+
+
+def write_exr(path, rows):
+    """rows: numbers by channel (names in order), from the top."""
+    height, width = len(next(iter(rows.values()))), len(next(iter(rows.values()))[0])
+    channels = b"".join(name.encode() + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) for name in rows)
+    window = struct.pack("<iiii", 0, 0, width - 1, height - 1)
+    head = struct.pack("<ii", 20000630, 2)
+    for name, kind, value in (
+            ("channels", "chlist", channels + b"\0"), ("compression", "compression", b"\0"),
+            ("dataWindow", "box2i", window), ("displayWindow", "box2i", window),
+            ("lineOrder", "lineOrder", b"\0"), ("pixelAspectRatio", "float", struct.pack("<f", 1)),
+            ("screenWindowCenter", "v2f", struct.pack("<ff", 0, 0)),
+            ("screenWindowWidth", "float", struct.pack("<f", 1))):
+        head += attribute_bytes(name, kind, value)
+    head += b"\0"
+    size = 4 * width * len(rows)
+    with open(path, "wb") as file:
+        file.write(head)
+        for y in range(height):
+            file.write(struct.pack("<Q", len(head) + 8 * height + y * (8 + size)))
+        for y in range(height):
+            file.write(struct.pack("<ii", y, size))
+            for name in rows:
+                file.write(struct.pack(f"<{width}f", *rows[name][y]))

@@ -6,6 +6,9 @@ Blender has z up: (x, y, z) there is (x, z, -y) in the GLB and in restframe's sc
 import math
 
 import bpy
+from mathutils import Vector
+
+from blender_exr import write_exr
 
 DEPTH = 12
 SIZE = 96
@@ -84,7 +87,6 @@ def add_camera(location, aim, fov):
     scene.collection.objects.link(eye)
     eye.location = location
     direction = [a - b for a, b in zip(aim, location)]
-    from mathutils import Vector
     eye.rotation_euler = Vector(direction).to_track_quat("-Z", "Y").to_euler()
     scene.camera = eye
 
@@ -115,13 +117,13 @@ def cornell():
     emptied()
     white, red, green = (0.73, 0.73, 0.73), (0.65, 0.05, 0.05), (0.12, 0.45, 0.15)
     walls = [diffuse("white", white), diffuse("red", red), diffuse("green", green)]
-    lamp = material_of("lamp", "ShaderNodeEmission", (1.0, 0.85, 0.6), Strength=12.0)
+    lamp = material_of("lamp", "ShaderNodeEmission", (1.0, 0.85, 0.6), Strength=3.0)
     add_quad("floor", [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], walls[0])
     add_quad("ceiling", [(-1, 1, 2), (1, 1, 2), (1, -1, 2), (-1, -1, 2)], walls[0])
     add_quad("back", [(-1, 1, 0), (1, 1, 0), (1, 1, 2), (-1, 1, 2)], walls[0])
     add_quad("left", [(-1, -1, 0), (-1, 1, 0), (-1, 1, 2), (-1, -1, 2)], walls[1])
     add_quad("right", [(1, 1, 0), (1, -1, 0), (1, -1, 2), (1, 1, 2)], walls[2])
-    add_quad("light", [(-0.3, 0.3, 1.98), (0.3, 0.3, 1.98), (0.3, -0.3, 1.98), (-0.3, -0.3, 1.98)], lamp)
+    add_quad("light", [(-0.6, 0.6, 1.98), (0.6, 0.6, 1.98), (0.6, -0.6, 1.98), (-0.6, -0.6, 1.98)], lamp)
     add_box("tall", (-0.35, 0.3, 0.6), (0.3, 0.3, 0.6), 0.3, walls[0])
     add_box("short", (0.35, -0.3, 0.3), (0.3, 0.3, 0.3), -0.3, walls[0])
     eye = ((0, -3.9, 1), (0, 0, 1), 39)
@@ -129,27 +131,21 @@ def cornell():
     text = camera_text(*eye) + '[[object]]\nname = "room"\nasset = "cornell.glb"\n'
     text += matt("white", white) + matt("red", red) + matt("green", green)
     text += ('[[material]]\nname = "lamp"\nbase_color = "black"\nspecular = 0\nroughness = 1\nmetallic = 0\n'
-             "emission = [1.0, 0.85, 0.6]\nemission_strength = 12\n")
+             "emission = [1.0, 0.85, 0.6]\nemission_strength = 3\n")
     return text
 
 
-def sky_image(folder):
-    """Brighter and bluer upwards, with a warm patch; latitude and longitude."""
+def write_sky(path):
+    """Brighter and bluer upwards, with a warm patch; latitude and longitude, up first."""
     width, height = 64, 32
-    image = bpy.data.images.new("sky", width, height, float_buffer=True)
-    image.colorspace_settings.name = "Linear"
-    pixels = []
-    for row in range(height):  # from the bottom
-        up = (row + 0.5) / height
-        for column in range(width):
-            patch = 8.0 if 20 <= row < 26 and 22 <= column < 28 else 0.0
-            pixels += [0.2 + 0.2 * up + patch, 0.2 + 0.4 * up + 0.7 * patch,
-                       0.2 + 0.8 * up + 0.4 * patch, 1.0]
-    image.pixels.foreach_set(pixels)
-    image.file_format = "OPEN_EXR"
-    image.filepath_raw = f"{folder}/sky.exr"
-    image.save()
-    return image
+    rows = {channel: [] for channel in "BGR"}
+    for row in range(height):
+        up = 1 - (row + 0.5) / height
+        patch = [8.0 if 6 <= row < 12 and 22 <= column < 28 else 0.0 for column in range(width)]
+        rows["R"].append([0.2 + 0.2 * up + p for p in patch])
+        rows["G"].append([0.2 + 0.4 * up + 0.7 * p for p in patch])
+        rows["B"].append([0.2 + 0.8 * up + 0.4 * p for p in patch])
+    write_exr(path, rows)
 
 
 def spheres(folder):
@@ -157,7 +153,8 @@ def spheres(folder):
     scene = emptied()
     nodes, links = scene.world.node_tree.nodes, scene.world.node_tree.links
     texture = nodes.new("ShaderNodeTexEnvironment")
-    texture.image = sky_image(folder)
+    write_sky(f"{folder}/sky.exr")
+    texture.image = bpy.data.images.load(f"{folder}/sky.exr")
     background = nodes.new("ShaderNodeBackground")
     output = nodes.new("ShaderNodeOutputWorld")
     links.new(texture.outputs["Color"], background.inputs["Color"])
@@ -171,7 +168,7 @@ def spheres(folder):
     add_ball("metal", (-1.1, 0, 0.5), 0.5, metal)
     add_ball("glass", (0, -0.3, 0.5), 0.5, glass)
     add_ball("clay", (1.1, 0.2, 0.5), 0.5, diffuse("clay", clay))
-    eye = ((0, -5, 1.4), (0, 0, 0.55), 26)
+    eye = ((0, -6.5, 1.6), (0, 0, 0.55), 26)
     add_camera(*eye)
     text = camera_text(*eye) + '[[object]]\nname = "things"\nasset = "spheres.glb"\n'
     text += matt("ground", ground) + matt("clay", clay)

@@ -1,0 +1,136 @@
+// Light by wavelength. Three lanes of a path are then three wavelengths of the camera in place of
+// red, green and blue. What scatters weighs by a colour, once a surface; each wavelength takes of it
+// what a surface of that colour reflects of the wavelength that the light has there.
+
+#include "tracer/path_walk.h"
+
+namespace restframe {
+namespace {
+
+// The hero and two more, evenly spaced over what is seen.
+float chooser(float hero, int which) {
+  return (hero + static_cast<float>(which)) * (1.0F / 3.0F);
+}
+
+}  // namespace
+
+// Like all random numbers, those of a pixel's samples are evenly spaced: together they miss little of
+// any smooth spectrum.
+void PathWalk::choose_wavelengths() {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    const float hero = random_(lane, Dimension::wavelength, 0);
+    Vec3f wavelength;
+    for (int i = 0; i < 3; ++i) {
+      wavelength[i] = stage_.spectra.observer.sample(chooser(hero, i)).wavelength;
+    }
+    by_wavelength_.hero[lane] = hero;
+    by_wavelength_.wavelength.set(lane, wavelength);
+  }
+  by_wavelength_.omega.fill(0.0);
+  by_wavelength_.lines = {};
+  if (follows_lines()) history_.clear();
+}
+
+void PathWalk::take_radiance(RadianceLanes& radiance) const {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    Vec3f color = paths_.radiance.at(lane);
+    if (stage_.spectra.shifts) {
+      const Vec3f light = color;
+      color = by_wavelength_.lines.at(lane);
+      for (int i = 0; i < 3; ++i) {
+        const float choice = chooser(by_wavelength_.hero[lane], i);
+        color += stage_.spectra.observer.sample(choice).rgb * (light[i] * (1.0F / 3.0F));
+      }
+    }
+    radiance[lane] = Vec4f(color, paths_.coverage[lane]);
+  }
+}
+
+// What surfaces reflect changes with their velocities only.
+void PathWalk::find_local_spectra() {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    const double omega = paths_.omega[lane];
+    if (met_[lane] == 0 || by_wavelength_.omega[lane] == omega) continue;
+    by_wavelength_.omega[lane] = omega;
+    const Vec3f wavelength = by_wavelength_.wavelength.at(lane) * static_cast<float>(1.0 / omega);
+    for (int i = 0; i < 3; ++i) {
+      by_wavelength_.local[lane][static_cast<std::size_t>(i)] = stage_.spectra.table(wavelength[i]);
+    }
+  }
+}
+
+Vec3f PathWalk::light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
+                                    float kelvin, double omega) const {
+  if (!stage_.spectra.shifts) return spectrum.color(color, kelvin);
+  const bool local = omega == by_wavelength_.omega[lane];
+  const auto doppler = static_cast<float>(1.0 / omega);
+  const Vec3f wavelength = by_wavelength_.wavelength.at(lane) * doppler;
+  Vec3f light;
+  for (int i = 0; i < 3; ++i) {
+    const Vec4f values = local ? by_wavelength_.local[lane][static_cast<std::size_t>(i)]
+                               : stage_.spectra.table(wavelength[i]);
+    light[i] = doppler * spectrum(wavelength[i], values, kelvin) * glm::dot(Vec3f(values), color);
+  }
+  return light;
+}
+
+void PathWalk::by_wavelength(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                             ArrivingLanes& arriving) const {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (from_light.active[lane] == 0) continue;
+    const EmitterSpectrum& spectrum = stage_.spectra[from_light.spectrum[lane]];
+    const Vec3f color = from_light.irradiance.at(lane);
+    arriving.irradiance.set(lane,
+                            light_by_wavelength(lane, spectrum, color, from_light.kelvin[lane],
+                                                from_light.omega[lane]));
+    arriving.fraction.set(lane, by_wavelength(lane, fraction.at(lane)));
+  }
+}
+
+void PathWalk::receive_from_sky(const Environment& sky, int lane, const Vec3f& color) {
+  if (!stage_.spectra.matters) return receive(lane, color);
+  const LightPlace& place = sky.place;
+  const EmitterSpectrum& spectrum = stage_.spectra[stage_.spectrum_of(place)];
+  const double omega = -place.frame.from_world(rays_.k.at(lane)).t;
+  const TemporalNumber& temperature = place.light->temperature;
+  float kelvin = temperature.value;
+  if (temperature.function != no_function) {
+    const double clock = place.frame(rays_.origin.at(lane)).t + place.clock_at_anchor;
+    kelvin = evaluator_(temperature, clock);
+  }
+  receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega));
+  if (follows_lines()) receive_lines(lane, spectrum, color, omega);
+}
+
+// What is left of it on its way to the vertices that are reached.
+void PathWalk::receive_lines(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                             const Lanes<std::int32_t>& reached, const Lanes<float>& left) {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (reached[lane] == 0 || left[lane] <= 0.0F) continue;
+    const Vec3f scattered = fraction.at(lane);
+    receive_lines(lane, stage_.spectra[from_light.spectrum[lane]],
+                  from_light.irradiance.at(lane) * left[lane], from_light.omega[lane], &scattered);
+  }
+}
+
+void PathWalk::receive_lines(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
+                             double omega, const Vec3f* scattered) {
+  const SpectrumTable& table = stage_.spectra.table;
+  Vec3f sum = by_wavelength_.lines.at(lane);
+  for (const EmitterSpectrum::Line& line : spectrum.lines()) {
+    const double seen = static_cast<double>(line.wavelength) * omega;
+    const Vec3f response(stage_.spectra.observer.response(seen));
+    if (response == Vec3f(0)) continue;
+    const auto wavelength = static_cast<float>(seen);
+    float left = line.power * glm::dot(Vec3f(table(line.wavelength)), color) *
+                 history_.left(lane, wavelength, table);
+    if (scattered != nullptr) {
+      const auto local = static_cast<float>(seen / paths_.omega[lane]);
+      left *= glm::dot(Vec3f(table(local)), *scattered);
+    }
+    sum += left * response;
+  }
+  by_wavelength_.lines.set(lane, sum);
+}
+
+}  // namespace restframe
