@@ -114,7 +114,7 @@ void Emitters::add_tree(const Scene& scene, const RestFrame& frame, FrameEmitter
       leaf.lower = glm::min(glm::min(a, b), c);
       leaf.upper = glm::max(glm::max(a, b), c);
       leaf.normal = triangle.normal;
-      leaf.two_sided = material.double_sided || can_transmit(material);
+      leaf.two_sided = material.double_sided || refracts(material);
       leaf.power = power * tables_[patch.table].chance(t);
       leaf.index = patch.first_leaf + t;
       leaves.push_back(leaf);
