@@ -14,7 +14,7 @@ import zlib
 WIDTH, HEIGHT = 512, 256
 SUN_HEIGHT, SUN_COLUMN = math.radians(9), 0.68  # above the horizon; fraction of the width
 ZENITH, HORIZON, GROUND = (0.09, 0.2, 0.55), (1.0, 0.78, 0.55), (0.07, 0.055, 0.045)
-GLOW, SUN = (1.3, 0.62, 0.22), (900.0, 640.0, 330.0)
+GLOW, SUN = (1.3, 0.62, 0.22), (220.0, 155.0, 80.0)
 
 
 def mixed(a, b, t):
@@ -36,7 +36,7 @@ def radiance(row, column):
     color = mixed(GROUND, sky, step(height / 0.006))
     for i in range(3):
         color[i] += GLOW[i] * (math.exp(-away / 0.35) + 4 * math.exp(-away / 0.06)) * (height > 0)
-        color[i] += SUN[i] * step((0.022 - away) / 0.003)
+        color[i] += SUN[i] * step((0.03 - away) / 0.003)
     return color
 
 
