@@ -72,9 +72,10 @@ std::set<std::string> anchors_of(const std::string& text) {
   std::set<std::string> anchors;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("## ", 0) != 0) continue;
+    const std::size_t level = std::min(line.find_first_not_of('#'), line.size());
+    if (level < 2 || level >= line.size() || line[level] != ' ') continue;
     std::string anchor;
-    for (const char c : line.substr(3)) {
+    for (const char c : line.substr(level + 1)) {
       const auto byte = static_cast<unsigned char>(c);
       if (std::isalnum(byte) || c == '-' || c == '_')
         anchor += static_cast<char>(std::tolower(byte));
