@@ -34,9 +34,11 @@ float chooser(float hero, int which) {
 void PathWalk::choose_wavelengths(const PacketId& id) {
   PacketId pixel = id;
   pixel.sample = 0;
+  PacketRandom of_pixel(pixel);
+  const Lanes<float>& turn = of_pixel.lanes(Dimension::wavelength, 0);
   const float of_sample = radical_inverse(id.sample);
   for (int lane = 0; lane < packet_size; ++lane) {
-    const float hero = fraction(of_sample + random_unit(pixel, lane, Dimension::wavelength, 0));
+    const float hero = fraction(of_sample + turn[lane]);
     Vec3f wavelength;
     for (int i = 0; i < 3; ++i) {
       wavelength[i] = stage_.spectra.observer.sample(chooser(hero, i)).wavelength;
