@@ -17,7 +17,7 @@ constexpr double kSurest =
 struct View {
   double theta, roughness;
 };
-const View kViews[] = {{0.3, 0.5}, {1.1, 0.5}, {0.8, 0.9}};
+const View kViews[] = {{1.1, 0.5}, {0.6, 0.9}};
 
 struct Chosen {
   std::vector<int> counts;

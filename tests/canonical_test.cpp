@@ -273,6 +273,7 @@ TEST(Canonical, ChangesWithMaterials) {
       {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
+      {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
       {"temperature", [](Scene& s) { s.materials[0].emission_temperature.value = 3000; }},
       {"temperature's function",
        [](Scene& s) { s.materials[0].emission_temperature.function = 0; }},
@@ -284,7 +285,6 @@ TEST(Canonical, ChangesWithMaterials) {
        [](Scene& s) {
          s.materials[0].emission_spectrum.lines = {{400, 1, 1}};
        }},
-      {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
   });
 }
 

@@ -88,7 +88,7 @@ TEST(Emitters, AreChosenByAreaTimesEmissionWithoutATree) {
   double sum = 0;
   for_each_triangle(frames, [&](std::int32_t frame, std::uint32_t part, std::uint32_t t) {
     const FramePart& placed = frames.frame(frame).part(part);
-    const double chance = emitters.chance(frame, part, t, {1, 2, 3});
+    const double chance = emitters.chance(frame, part, t, {{1, 2, 3}});
     const double power = t < 2 ? 2 : t < 4 ? 1 : 0;
     const double area = rest_triangle(scene, placed, t).area;
     // 2^(2/3) for the stretched one's 2: areas count on average over directions.
@@ -106,7 +106,9 @@ TEST(Emitters, TellTheChanceOfWhatTheyChoose) {
   const FrameSet frames(scene, 1);
   for (const std::size_t most_leaves : {0, 100}) {
     const Emitters emitters(scene, frames, most_leaves);
-    for (const Vec3& place : {Vec3(0.3, 0.4, 2), Vec3(4, -1, 0.2), Vec3(-3, 0.5, 100)}) {
+    for (const Receiver& place :
+         {Receiver{{0.3, 0.4, 2}}, Receiver{{4, -1, 0.2}}, Receiver{{-3, 0.5, 100}},
+          Receiver{{0.3, 0.4, 2}, {0, 0, -1}}, Receiver{{2, -1, 0.5}, {0.6F, 0.8F, 0}}}) {
       std::map<std::tuple<std::int32_t, std::uint32_t, std::uint32_t>, double> counts;
       std::vector<double> of_frame(frames.frames().size());
       constexpr int steps = 200'000;
@@ -136,11 +138,11 @@ TEST(Emitters, ThatFaceAwayAreNotChosen) {
   Scene scene = scene_of_quads();
   const FrameSet frames(scene, 1);
   const Emitters one_sided(scene, frames);
-  EXPECT_EQ(one_sided.choose(0, {0.5, 0.5, -2}, 0.5).chance, 0);
-  EXPECT_EQ(one_sided.chance(0, 0, 1, {0.5, 0.5, -2}), 0);
+  EXPECT_EQ(one_sided.choose(0, {{0.5, 0.5, -2}}, 0.5).chance, 0);
+  EXPECT_EQ(one_sided.chance(0, 0, 1, {{0.5, 0.5, -2}}), 0);
   for (Material& material : scene.materials) material.double_sided = true;
   const Emitters two_sided(scene, frames);
-  EXPECT_GT(two_sided.choose(0, {0.5, 0.5, -2}, 0.5).chance, 0);
+  EXPECT_GT(two_sided.choose(0, {{0.5, 0.5, -2}}, 0.5).chance, 0);
 }
 
 // Of a thousand equal triangles all over a room the near ones that face the place are preferred: the
@@ -161,12 +163,14 @@ TEST(EmitterTree, EvensOutWhatComesFromMany) {
   }
   const EmitterTree tree(leaves);
   double sum = 0, by_tree = 0, by_power = 0, chances = 0;
-  const Vec3 place(0.3, -0.2, 0.1);
+  const Vec3 place(0.3, -0.2, 0.1), facing(0, 0.6, -0.8);
+  const Receiver receiver{place, Vec3f(facing)};
   for (const TreeLeaf& leaf : leaves) {
     const Vec3 away = place - 0.5 * (leaf.lower + leaf.upper);
     const double r = glm::length(away);
-    const double comes = std::max(0.0, glm::dot(away, leaf.normal)) / (r * r * r);
-    const double chance = tree.chance(place, leaf.index);
+    const double comes = std::max(0.0, glm::dot(away, leaf.normal)) *
+                         std::max(0.0, -glm::dot(away, facing)) / (r * r * r * r);
+    const double chance = tree.chance(receiver, leaf.index);
     chances += chance;
     if (comes <= 0) continue;
     ASSERT_GT(chance, 0);
@@ -176,8 +180,8 @@ TEST(EmitterTree, EvensOutWhatComesFromMany) {
   }
   // Where neither half of a node can face the place after all, nothing is chosen.
   EXPECT_LT(chances, 1 + 1e-6);
-  EXPECT_GT(chances, 0.8);
-  EXPECT_LT(by_tree - sum * sum, 0.3 * (by_power - sum * sum));
+  EXPECT_GT(chances, 0.5);
+  EXPECT_LT(by_tree - sum * sum, 0.2 * (by_power - sum * sum));
 }
 
 TEST(Emitters, FaceTheFrontHoweverTheyArePlaced) {
@@ -279,7 +283,11 @@ TEST_P(SeenPoints, HaveDensitiesOfTheSurfacesFrame) {
   lit.omega.fill(0.8);
   lit.active.fill(-1);
   EventLanes<in::World> event;
-  for (int i = 0; i < packet_size; ++i) event.set(i, {0.3, {1.5, 1.5, -0.5}});
+  Vec3fLanes all_around;
+  for (int i = 0; i < packet_size; ++i) {
+    event.set(i, {0.3, {1.5, 1.5, -0.5}});
+    all_around.set(i, Vec3f(0));
+  }
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<float> number(0, 1);
   constexpr int packets = 4000, parts = 8;
@@ -293,7 +301,7 @@ TEST_P(SeenPoints, HaveDensitiesOfTheSurfacesFrame) {
       numbers.v[i] = number(generator);
     }
     EmitterPoints points;
-    choose_points(stage, event, lit.active, numbers, points);
+    choose_points(stage, event, lit, all_around, numbers, points);
     PointsSeen seen;
     IncidentLanes incident;
     see_points(stage, event, lit, points, seen, incident);

@@ -73,7 +73,8 @@ double irradiance(const Scene& scene, const Vec3& point, bool beaming,
   constexpr int steps = 60;
   double sum = 0;
   for (int i = 0; i < steps * steps; ++i) {
-    const double u = 2 * ((i / steps) + 0.5) / steps - 1, v = 2 * ((i % steps) + 0.5) / steps - 1;
+    const int row = i / steps, column = i % steps;
+    const double u = 2 * (row + 0.5) / steps - 1, v = 2 * (column + 0.5) / steps - 1;
     const Worldline line = at_rest_on(lamp, u * kU + v * kV);
     const reference::SeenLight s =
         reference::seen({reference::widened(line.velocity.gamma_beta()),
@@ -232,8 +233,7 @@ TEST(EmittingQuad, ShinesAsItsTextureSays) {
 
 // A room with a moving lamp of changing light, behind a half transparent veil, glass and gloss, under
 // a sky with a sun, seen from its own velocity.
-Scene room() {
-  const std::string text = R"toml(
+const std::string kRoom = R"toml(
 [camera]
 position = [0, 1.2, 4]
 look_at = [0, 0.6, 0]
@@ -302,8 +302,10 @@ velocity = [0, 0.3, 0]
 rotation = [10, 50, 20]
 intensity = 0.5
 )toml";
+
+Scene room() {
   Scene scene = loaded_scene(
-      text + diffuse_material("floor", 0.6),
+      kRoom + diffuse_material("floor", 0.6),
       {{"floor.obj", quad_obj({0, 0, 0}, {4, 0, 0}, {0, 0, -4})},
        {"lamp.obj", quad_obj({0, 0, 0}, 2.0 * kU, 2.0 * kV)},
        {"veil.obj", quad_obj({0, 0, 0}, {0.8, 0, 0}, {0, 0.8, 0})},

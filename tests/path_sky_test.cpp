@@ -43,7 +43,8 @@ TEST(SkyFile, OfOneValueBeamsAsClosedForm10) {
                        {{"sky.exr", map}});
       const PixelMeans means = pixel_means(scene, 2);
       for (int i = 0; i < 24 * 24; ++i) {
-        const double px = (i % 24 + 0.5) / 12 - 1, py = (i / 24 + 0.5) / 12 - 1;
+        const int x = i % 24, y = i / 24;
+        const double px = (x + 0.5) / 12 - 1, py = (y + 0.5) / 12 - 1;
         const double weight = std::pow(1 + px * px + py * py, -1.5);
         sum += weight * means.mean[static_cast<std::size_t>(i)];
         solid_angle += weight;
@@ -216,6 +217,7 @@ TEST(MutualLight, IsTheSameInEveryWorld) {
                                                 return x == 3 && y == 2 ? Vec3f(40) : Vec3f(0.5F);
                                               })}});
   const PixelMeans here = block_means(scene, 24, 2);
+  for (const double mean : here.mean) EXPECT_GT(mean, 0.01);
   for (const Velocity& world :
        {Velocity::from_beta({0.6, 0, 0}), Velocity::from_beta({-0.5, 0.6, 0.4}),
         Velocity::from_gamma(30, {1, 2, -2})}) {

@@ -100,6 +100,10 @@ TEST(Validate, Settings) {
   one([](Scene& s) { s.render.samples = 0; }, "samples is 0, must be from 1 to 65536");
   one([](Scene& s) { s.render.depth = 0; }, "depth is 0, must be from 1 to 64");
   one([](Scene& s) { s.render.depth = 65; }, "depth is 65");
+  one([](Scene& s) { s.render.noise = -0.1; }, "noise is -0.1, must be from 0 to 1");
+  one([](Scene& s) { s.render.noise = std::nan(""); }, "noise is");
+  one([](Scene& s) { s.output.exposure = 65; }, "exposure is 65, must be from -64 to 64");
+  one([](Scene& s) { s.output.exposure = std::nan(""); }, "exposure is nan");
   one([](Scene& s) { s.render.observe = WavelengthBand{500, 600}; }, "doppler = true only");
   one(
       [](Scene& s) {
@@ -107,10 +111,6 @@ TEST(Validate, Settings) {
         s.render.observe = WavelengthBand{600, 500};
       },
       "observe: from 600 to 500 nm");
-  one([](Scene& s) { s.render.noise = -0.1; }, "noise is -0.1, must be from 0 to 1");
-  one([](Scene& s) { s.render.noise = std::nan(""); }, "noise is");
-  one([](Scene& s) { s.output.exposure = 65; }, "exposure is 65, must be from -64 to 64");
-  one([](Scene& s) { s.output.exposure = std::nan(""); }, "exposure is nan");
   one([](Scene& s) { s.output.path = "a.png"; }, ".exr");
   one([](Scene& s) { s.output.path = "a.exr", s.animation.pictures = 2; }, "run of #");
   one([](Scene& s) { s.output.path = "#/#.exr"; }, "one run of #");
@@ -318,7 +318,10 @@ TEST(Validate, MaterialsTexturesAndFunctions) {
   one([](Scene& s) { s.textures[0].image = 1; }, "image 1 of 1");
   one([](Scene& s) { s.materials[0].emission_temperature.value = 20; },
       "\"paint\": emission: the temperature is 20");
-  one([](Scene& s) { s.materials[0].emission_spectrum.points = {{500, 1}, {400, 1}}; },
+  one(
+      [](Scene& s) {
+        s.materials[0].emission_spectrum.points = {{500, 1}, {400, 1}};
+      },
       "shorter wavelength");
   one([](Scene& s) { s.images[0].rgba.pop_back(); }, "3 bytes");
   one([](Scene& s) { s.images[0].width = 0; }, "0 x 1");

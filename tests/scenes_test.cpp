@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "support/exr_writer.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -162,6 +163,7 @@ TEST(Texts, ExamplesAreScenesWithoutFault) {
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
                "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  folder.write("skies/evening.exr", sky_exr(8, 4, [](int, int) { return Vec3f(1); }));
   std::size_t count = 0;
   for (const std::string& name : texts) {
     for (const std::string& example : fenced_blocks(content_of(top / name), "toml")) {

@@ -94,8 +94,8 @@ TEST(SkyDistribution, IsUnbiased) {
         squares += x * x / count;
       }
       for (int i = 0; i < rows * columns; ++i) {
-        const double theta = pi * (i / columns + 0.5) / rows;
-        const double phi = 2 * pi * (i % columns + 0.5) / columns;
+        const int row = i / columns, column = i % columns;
+        const double theta = pi * (row + 0.5) / rows, phi = 2 * pi * (column + 0.5) / columns;
         const Vec3 d(std::sin(theta) * std::cos(phi), std::cos(theta),
                      std::sin(theta) * std::sin(phi));
         expected += value(d, k) * std::sin(theta) * (pi / rows) * (2 * pi / columns);

@@ -24,14 +24,6 @@ void check_count(int value, int low, int high, const char* what, Faults& faults)
   faults.push_back(fmt::format("{} is {}, must be from {} to {}", what, value, low, high));
 }
 
-void check_band(const RenderSettings& render, Faults& faults) {
-  if (!render.observe) return;
-  if (!render.doppler) faults.emplace_back("render: observe goes with doppler = true only");
-  for (const std::string& fault : band_faults(*render.observe)) {
-    faults.push_back("render: observe: " + fault);
-  }
-}
-
 // What the noise of pixels is told from, and where it can not be told.
 void check_noise(const Scene& scene, Faults& faults) {
   const double noise = scene.render.noise;
@@ -59,6 +51,14 @@ void check_noise(const Scene& scene, Faults& faults) {
   }
 }
 
+void check_band(const RenderSettings& render, Faults& faults) {
+  if (!render.observe) return;
+  if (!render.doppler) faults.emplace_back("render: observe goes with doppler = true only");
+  for (const std::string& fault : band_faults(*render.observe)) {
+    faults.push_back("render: observe: " + fault);
+  }
+}
+
 void check_settings(const Scene& scene, Faults& faults) {
   check_positive(scene.light_speed, "light_speed", faults);
   check_positive(scene.animation.rate, "animation: rate", faults);
@@ -68,12 +68,12 @@ void check_settings(const Scene& scene, Faults& faults) {
   check_count(scene.render.height, 1, 32'768, "render: height", faults);
   check_count(scene.render.samples, 1, 65'536, "render: samples", faults);
   check_count(scene.render.depth, 1, 64, "render: depth", faults);
-  check_band(scene.render, faults);
   check_noise(scene, faults);
   if (!(std::abs(scene.output.exposure) <= most_stops)) {
     faults.push_back(fmt::format("output: exposure is {}, must be from {} to {}",
                                  scene.output.exposure, -most_stops, most_stops));
   }
+  check_band(scene.render, faults);
   const auto fault = output_pattern_fault(scene.output.path, scene.animation.pictures);
   if (fault) faults.push_back("output: " + *fault);
   const std::set<Layer> layers(scene.output.layers.begin(), scene.output.layers.end());

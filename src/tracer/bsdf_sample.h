@@ -28,7 +28,8 @@ inline Vec2f on_circle(float v) {
   const int quarter = static_cast<int>(quarters) & 3;
   const bool odd = (quarter & 1) != 0;
   const float cosine = odd ? s : c, sine = odd ? c : s;
-  return {(quarter == 1) | (quarter == 2) ? -cosine : cosine, quarter >= 2 ? -sine : sine};
+  const bool backwards = (quarter == 1) | (quarter == 2);
+  return {backwards ? -cosine : cosine, quarter >= 2 ? -sine : sine};
 }
 
 inline Vec2f disc_distributed(float u, float v) {
@@ -102,8 +103,9 @@ inline Way plain_way(const Bsdf& b, const ViewLobe& lobe, const Vec3f& numbers) 
   const float share = 1.0F / std::max(1e-20F, lobe.reflects);
   way.weight = (lobe.straight + lobe.grazing * schlick(lobe.cos_view)) * share;
   way.exact = !diffuse & (b.alpha < smallest_alpha);
-  way.there = (lobe.diffuses + lobe.reflects > 0.0F) & (glm::dot(way.direction, b.facet) > 0.0F) &
-              (glm::dot(way.direction, b.normal) > 0.0F);
+  const float to_facet = glm::dot(way.direction, b.facet);
+  const float to_normal = glm::dot(way.direction, b.normal);
+  way.there = (lobe.diffuses + lobe.reflects > 0.0F) & (to_facet > 0.0F) & (to_normal > 0.0F);
   return way;
 }
 

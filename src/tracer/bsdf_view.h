@@ -45,7 +45,8 @@ inline Fraction plain_fraction(const Bsdf& b, const ViewLobe& lobe, const Vec3f&
   const Mirroring facets =
       mirroring(b.view, b.normal, b.alpha, lobe.cos_view, lobe.lambda_view, cos_light, direction);
   const bool rough = b.alpha >= smallest_alpha;
-  const bool seen = (cos_light > 0.0F) & (glm::dot(b.facet, direction) > 0.0F);
+  const float to_facet = glm::dot(b.facet, direction);
+  const bool seen = (cos_light > 0.0F) & (to_facet > 0.0F);
   const float facets_there = rough ? facets.fraction : 0.0F;
   const float facets_density = rough ? facets.density : 0.0F;
   const Vec3f sum = lobe.diffuse * cos_light +

@@ -82,25 +82,22 @@ void see_group(const LightPlace& place, const EventLanes<in::World>& event, cons
 
 }  // namespace
 
-RESTFRAME_CLONES void choose_points(const EmitterStage& stage, const EventLanes<in::World>& event,
-                                    const Lanes<std::int32_t>& active, const PointNumbers& numbers,
-                                    EmitterPoints& points) {
+void choose_points(const EmitterStage& stage, const EventLanes<in::World>& event,
+                   const LitLanes& lit, const Vec3fLanes& facing, const PointNumbers& numbers,
+                   EmitterPoints& points) {
   points.surfaces.colored = false;
   points.active.fill(0);
   for (int lane = 0; lane < packet_size; ++lane) {
-    points.hits.frame[lane] = stage.emitters.choose_frame(static_cast<double>(numbers.frame[lane]));
+    if (lit.active[lane] == 0) continue;
+    const std::int32_t frame =
+        stage.emitters.choose_frame(static_cast<double>(numbers.frame[lane]));
+    points.hits.frame[lane] = frame;
+    const Receiver receiver = stage.emitters.receiver(
+        frame, event.at(lane), lit.rest_from_world[lane]->velocity(), facing.at(lane));
+    const auto chosen = stage.emitters.choose(frame, receiver, numbers.triangle[lane]);
+    if (!(chosen.chance > 0.0)) continue;
+    choose_point(stage, chosen, lane, numbers.u[lane], numbers.v[lane], points);
   }
-  for_each_group(points.hits.frame, active, [&](int first, const Lanes<std::int32_t>& group) {
-    const std::int32_t frame = points.hits.frame[first];
-    EventLanes<in::LightRest> at;
-    to_light(stage.emitters.place(frame), event, at);
-    for (int lane = 0; lane < packet_size; ++lane) {
-      if (group[lane] == 0) continue;
-      const auto chosen = stage.emitters.choose(frame, at.x.at(lane), numbers.triangle[lane]);
-      if (!(chosen.chance > 0.0)) continue;
-      choose_point(stage, chosen, lane, numbers.u[lane], numbers.v[lane], points);
-    }
-  });
 }
 
 RESTFRAME_CLONES void see_points(const EmitterStage& stage, const EventLanes<in::World>& event,

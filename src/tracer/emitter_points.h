@@ -30,9 +30,10 @@ struct EmitterStage {
   const Emitters& emitters;
 };
 
-// For the active lanes, to light the events.
+// For the active lanes of `lit`, to light what is at the events. facing: as Receiver has it, in the axes
+// of the surfaces.
 void choose_points(const EmitterStage& stage, const EventLanes<in::World>& event,
-                   const Lanes<std::int32_t>& active, const PointNumbers& numbers,
+                   const LitLanes& lit, const Vec3fLanes& facing, const PointNumbers& numbers,
                    EmitterPoints& points);
 
 // How surface events see their points.

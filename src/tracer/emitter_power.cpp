@@ -103,8 +103,9 @@ class TextureMean {
     constexpr int rows = 4;
     double sum = 0;
     for (int i = 0; i < rows * rows; ++i) {
-      const float a = std::sqrt((static_cast<float>(i / rows) + 0.5F) / rows);
-      const float b = (static_cast<float>(i % rows) + 0.5F) / rows;
+      const int row = i / rows, column = i % rows;
+      const float a = std::sqrt((static_cast<float>(row) + 0.5F) / rows);
+      const float b = (static_cast<float>(column) + 0.5F) / rows;
       const Vec2f uv =
           (1.0F - a) * at(triangle[0]) + a * (1.0F - b) * at(triangle[1]) + a * b * at(triangle[2]);
       sum += mean(Vec3f(sample_texture(*texture_, *image_, transform_(uv))));

@@ -19,6 +19,13 @@ float sine(float cosine) {
   return std::sqrt(std::max(0.0F, 1.0F - cosine * cosine));
 }
 
+// Of the angles within `cover` of another, each by its cosine and sine; 0 where all are beyond a right
+// angle.
+float largest_cosine(float cosine, float sin, float cos_cover, float sin_cover) {
+  if (cosine >= cos_cover) return 1.0F;
+  return std::max(0.0F, cosine * cos_cover + sin * sin_cover);
+}
+
 }  // namespace
 
 EmitterTree::EmitterTree(std::vector<TreeLeaf> leaves) {
@@ -88,41 +95,48 @@ EmitterTree::Node EmitterTree::node_of(const TreeLeaf* begin, const TreeLeaf* en
   return node;
 }
 
-// The most that the node's power could bring: as if all of it were at the nearest cosine that any
-// normal of it, seen from any place of it, may have; but not nearer than it is large.
-float EmitterTree::importance(const Node& node, const Vec3f& from) {
+// The most that the node's power could bring: as if all of it were seen at the largest cosines that any
+// place and normal of it may have; but not nearer than it is large.
+float EmitterTree::importance(const Node& node, const Local& receiver) {
   constexpr float least_distance = 1e-30F;
-  const Vec3f away = from - node.center;
-  const float squared = glm::dot(away, away);
-  const float radius2 = node.radius * node.radius;
+  const Vec3f away = receiver.place - node.center;
+  const float squared = glm::dot(away, away), radius2 = node.radius * node.radius;
   const float weight = node.power / std::max(std::max(squared, radius2), least_distance);
-  if (squared <= radius2 || node.spread <= -1.0F) return weight;
-  const float distance = std::sqrt(squared);
-  // Angles off the axis, less the spread, less what the node covers, each by its cosine and sine.
-  const float cos_axis = std::clamp(glm::dot(node.axis, away) / distance, -1.0F, 1.0F);
-  if (cos_axis >= node.spread) return weight;
+  if (squared <= radius2) return weight;
+  const float inverse = 1.0F / std::sqrt(squared);
+  const float sin_cover = node.radius * inverse, cos_cover = sine(sin_cover);
+  float cosines = 1;
+  if (receiver.faces) {
+    const float cosine = -glm::dot(receiver.facing, away) * inverse;
+    cosines = largest_cosine(cosine, sine(cosine), cos_cover, sin_cover);
+  }
+  if (node.spread <= -1.0F) return weight * cosines;
+  const float cos_axis = std::clamp(glm::dot(node.axis, away) * inverse, -1.0F, 1.0F);
+  if (cos_axis >= node.spread) return weight * cosines;
   const float sin_axis = sine(cos_axis), sin_spread = sine(node.spread);
   const float cos_off = cos_axis * node.spread + sin_axis * sin_spread;
   const float sin_off = std::max(0.0F, sin_axis * node.spread - cos_axis * sin_spread);
-  const float sin_cover = node.radius / distance, cos_cover = sine(sin_cover);
-  if (cos_off >= cos_cover) return weight;
-  return weight * std::max(0.0F, cos_off * cos_cover + sin_off * sin_cover);
+  return weight * cosines * largest_cosine(cos_off, sin_off, cos_cover, sin_cover);
 }
 
-double EmitterTree::first_chance(std::size_t node, std::size_t left, const Vec3f& from) const {
-  const auto first = static_cast<double>(importance(nodes_[node + 1], from));
-  const auto second = static_cast<double>(importance(nodes_[node + 2 * left], from));
+EmitterTree::Local EmitterTree::localised(const Receiver& receiver) const {
+  return {Vec3f(receiver.place - center_), receiver.facing, receiver.facing != Vec3f(0)};
+}
+
+double EmitterTree::first_chance(std::size_t node, std::size_t left, const Local& receiver) const {
+  const auto first = static_cast<double>(importance(nodes_[node + 1], receiver));
+  const auto second = static_cast<double>(importance(nodes_[node + 2 * left], receiver));
   const double sum = first + second;
   return sum > 0.0 ? first / sum : -1.0;
 }
 
-EmitterTree::Chosen EmitterTree::choose(const Vec3& from, double u) const {
-  const Vec3f place(from - center_);
+EmitterTree::Chosen EmitterTree::choose(const Receiver& receiver, double u) const {
+  const Local local = localised(receiver);
   std::size_t node = 0, begin = 0, end = leaf_of_place_.size();
   double chance = 1;
   while (end - begin > 1) {
     const std::size_t half = middle(begin, end), left = half - begin;
-    const double first = first_chance(node, left, place);
+    const double first = first_chance(node, left, local);
     if (first < 0.0) return {};
     if (u < first) {
       u = std::min(u / first, 1.0 - 0x1p-53);
@@ -139,14 +153,14 @@ EmitterTree::Chosen EmitterTree::choose(const Vec3& from, double u) const {
   return {leaf_of_place_[begin], chance};
 }
 
-double EmitterTree::chance(const Vec3& from, std::uint32_t leaf) const {
-  const Vec3f place(from - center_);
+double EmitterTree::chance(const Receiver& receiver, std::uint32_t leaf) const {
+  const Local local = localised(receiver);
   const std::size_t wanted = place_of_leaf_[leaf];
   std::size_t node = 0, begin = 0, end = leaf_of_place_.size();
   double chance = 1;
   while (end - begin > 1) {
     const std::size_t half = middle(begin, end), left = half - begin;
-    const double first = first_chance(node, left, place);
+    const double first = first_chance(node, left, local);
     if (first < 0.0) return 0.0;
     const bool is_first = wanted < half;
     chance *= is_first ? first : 1.0 - first;

@@ -16,9 +16,16 @@ struct TreeLeaf {
   std::uint32_t index = 0;  // what the tree calls it
 };
 
+// What is to be lit, in the emitters' rest frame.
+struct Receiver {
+  Vec3 place{0};
+  Vec3f facing{
+      0};  // light comes from the half space around this, a unit vector; 0: from all around
+};
+
 // A hierarchy of lights in one rest frame (after Conty Estevez and Kulla 2018): emitters are chosen by
-// their power over the squared distance and by whether they face a place, by walking down from the
-// root and choosing between two nodes at each step.
+// their power over the squared distance and by whether they and the receiver face each other, by walking
+// down from the root and choosing between two nodes at each step.
 class EmitterTree {
  public:
   EmitterTree() = default;
@@ -28,12 +35,12 @@ class EmitterTree {
 
   struct Chosen {
     std::uint32_t leaf = 0;
-    double chance = 0;  // 0: nothing faces the place
+    double chance = 0;  // 0: nothing faces the receiver
   };
-  Chosen choose(const Vec3& from, double u) const;
+  Chosen choose(const Receiver& receiver, double u) const;
 
   // Of choose() to take that leaf.
-  double chance(const Vec3& from, std::uint32_t leaf) const;
+  double chance(const Receiver& receiver, std::uint32_t leaf) const;
 
  private:
   struct Node {
@@ -45,9 +52,15 @@ class EmitterTree {
   };
   void build(std::vector<TreeLeaf>& leaves, std::size_t begin, std::size_t end);
   Node node_of(const TreeLeaf* begin, const TreeLeaf* end) const;
-  static float importance(const Node& node, const Vec3f& from);
+  // A receiver relative to the tree's center.
+  struct Local {
+    Vec3f place, facing;
+    bool faces = false;
+  };
+  Local localised(const Receiver& receiver) const;
+  static float importance(const Node& node, const Local& receiver);
   // Of taking the first child of a node, of which the first `left` leaves are below that.
-  double first_chance(std::size_t node, std::size_t left, const Vec3f& from) const;
+  double first_chance(std::size_t node, std::size_t left, const Local& receiver) const;
 
   Vec3 center_{0};
   // A node, then all below its first child, then all below its second: one of n leaves has 2 n - 1.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <tuple>
 
@@ -81,7 +80,6 @@ class Gatherer {
 
 Emitters::Emitters(const Scene& scene, const FrameSet& frames, std::size_t most_leaves) {
   if (std::none_of(scene.materials.begin(), scene.materials.end(), emits)) return;
-  if (std::getenv("RF_ALIAS")) most_leaves = 0;  // MEASURE
   Gatherer gatherer(scene, patches_, tables_);
   std::vector<double> powers;
   for (const RestFrame& frame : frames.frames()) {
@@ -116,7 +114,7 @@ void Emitters::add_tree(const Scene& scene, const RestFrame& frame, FrameEmitter
       leaf.lower = glm::min(glm::min(a, b), c);
       leaf.upper = glm::max(glm::max(a, b), c);
       leaf.normal = triangle.normal;
-      leaf.two_sided = material.double_sided || can_transmit(material);
+      leaf.two_sided = material.double_sided || refracts(material);
       leaf.power = power * tables_[patch.table].chance(t);
       leaf.index = patch.first_leaf + t;
       leaves.push_back(leaf);
@@ -141,13 +139,13 @@ double Emitters::chance_by_power(const FrameEmitters& emitters, std::uint32_t pa
          tables_[p.table].chance(triangle - p.first);
 }
 
-Emitters::Chosen Emitters::choose(std::int32_t frame, const Vec3& place, double u) const {
+Emitters::Chosen Emitters::choose(std::int32_t frame, const Receiver& receiver, double u) const {
   const FrameEmitters& emitters = frames_[static_cast<std::size_t>(frame)];
   Chosen chosen;
   if (emitters.tree.empty()) {
     chosen = choose_by_power(emitters, u);
   } else {
-    const EmitterTree::Chosen leaf = emitters.tree.choose(place, u);
+    const EmitterTree::Chosen leaf = emitters.tree.choose(receiver, u);
     const EmittingPatch& patch = patches_[emitters.patch_of_leaf[leaf.leaf]];
     chosen = {&patch, patch.first + (leaf.leaf - patch.first_leaf), leaf.chance};
   }
@@ -156,7 +154,7 @@ Emitters::Chosen Emitters::choose(std::int32_t frame, const Vec3& place, double 
 }
 
 double Emitters::chance(std::int32_t frame, std::uint32_t part, std::uint32_t triangle,
-                        const Vec3& place) const {
+                        const Receiver& receiver) const {
   const FrameEmitters& emitters = frames_[static_cast<std::size_t>(frame)];
   const auto begin = patches_.begin() + emitters.first_patches[part];
   const auto end = patches_.begin() + emitters.first_patches[part + 1];
@@ -170,8 +168,14 @@ double Emitters::chance(std::int32_t frame, std::uint32_t part, std::uint32_t tr
   const double in_frame =
       emitters.tree.empty()
           ? chance_by_power(emitters, index, triangle)
-          : emitters.tree.chance(place, patch.first_leaf + (triangle - patch.first));
+          : emitters.tree.chance(receiver, patch.first_leaf + (triangle - patch.first));
   return in_frame * frame_chances_.chance(static_cast<std::uint32_t>(frame));
+}
+
+Receiver Emitters::receiver(std::int32_t frame, const Event<in::World>& event,
+                            const Velocity& velocity, const Vec3f& facing) const {
+  const AnchoredFrame<in::LightRest>& own = place(frame).frame;
+  return {own(event).x, own.from_world.velocity() == velocity ? facing : Vec3f(0)};
 }
 
 RestTriangle rest_triangle(const Scene& scene, const FramePart& part, std::uint32_t triangle) {

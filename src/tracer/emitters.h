@@ -43,12 +43,17 @@ class Emitters {
     std::uint32_t triangle = 0;  // of the part's mesh
     double chance = 0;           // the frame's included; 0: there is none to choose
   };
-  // One of the triangles of that frame, for light that is to come to `place` there.
-  Chosen choose(std::int32_t frame, const Vec3& place, double u) const;
+  // One of the triangles of that frame, for light that is to come to the receiver.
+  Chosen choose(std::int32_t frame, const Receiver& receiver, double u) const;
 
   // Of the triangle being chosen; 0 where it does not shine.
   double chance(std::int32_t frame, std::uint32_t part, std::uint32_t triangle,
-                const Vec3& place) const;
+                const Receiver& receiver) const;
+
+  // What lies at an event, as the frame has it. facing: in the axes of a surface of `velocity`; what moves
+  // past is taken to be lit from all around.
+  Receiver receiver(std::int32_t frame, const Event<in::World>& event, const Velocity& velocity,
+                    const Vec3f& facing) const;
 
   // The rest frame's place as a light's; only of frames in which something shines.
   const LightPlace& place(std::int32_t frame) const {

@@ -24,9 +24,19 @@ double finer(float number, float digits) {
 
 }  // namespace
 
+// Thin sheets are lit from both sides; of others lights are looked for above the facet alone.
+Vec3f PathWalk::facing(int lane) const {
+  const BsdfLanes& bsdf = vertices_.bsdf;
+  const bool thin = bsdf.layered && bsdf.layers.thin[lane] != 0;
+  return thin ? Vec3f(0) : bsdf.facet.at(lane);
+}
+
 void PathWalk::set_chosen(int lane, float density) {
   chosen_.density[lane] = density;
   chosen_.omega[lane] = paths_.omega[lane];
+  if (stage_.emitters.empty()) return;
+  chosen_.frame[lane] = hits_.frame[lane];
+  chosen_.facing.set(lane, facing(lane));
 }
 
 // Of a path that has left its last vertex in a direction that lights are looked for in, too.
@@ -46,8 +56,11 @@ float PathWalk::share_of_sky(const Environment& sky, int lane) const {
 // The distance in the rest frame of the last vertex is s times the frequency there.
 float PathWalk::share_of_emitter(int lane) const {
   const std::uint32_t part = hits_.part[lane], triangle = hits_.triangle[lane];
-  const Vec3 from = stage_.emitters.place(hits_.frame[lane]).frame(rays_.origin.at(lane)).x;
-  const double chance = stage_.emitters.chance(hits_.frame[lane], part, triangle, from);
+  const RestFrame& last = stage_.frames.frame(chosen_.frame[lane]);
+  const Receiver receiver =
+      stage_.emitters.receiver(hits_.frame[lane], rays_.origin.at(lane),
+                               last.coordinates().from_world.velocity(), chosen_.facing.at(lane));
+  const double chance = stage_.emitters.chance(hits_.frame[lane], part, triangle, receiver);
   if (!(chance > 0.0)) return 1.0F;
   const FramePart& placed = stage_.frames.frame(hits_.frame[lane]).part(part);
   const double per_area = chance / rest_triangle(stage_.scene, placed, triangle).area;
@@ -124,8 +137,10 @@ void PathWalk::add_emitters(const LitLanes& lit, const ViewLobeLanes& lobes) {
     numbers.u[lane] = random(lane, Dimension::emitter_u);
     numbers.v[lane] = random(lane, Dimension::emitter_v);
   }
+  Vec3fLanes towards;
+  for (int lane = 0; lane < packet_size; ++lane) towards.set(lane, facing(lane));
   EmitterPoints points;
-  choose_points(stage, vertices_.at.event, lit.active, numbers, points);
+  choose_points(stage, vertices_.at.event, lit, towards, numbers, points);
   PointsSeen seen;
   IncidentLanes from;
   see_points(stage, vertices_.at.event, lit, points, seen, from);

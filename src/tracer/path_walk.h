@@ -88,14 +88,17 @@ class PathWalk {
     // What surfaces reflect of them, and daylight, where light has `omega` times its frequency.
     Lanes<double> omega;
     Lanes<std::array<Vec4f, 3>> local;
-    Vec3fLanes lines;  // light of emission lines, linear Rec. 709
+    Vec3fLanes color;  // light that is not told by wavelength, linear Rec. 709: of lines, ...
+    Lanes<std::int32_t> direct;  // ... and of daylight that nothing has weighed on its way: -1
   };
   // How the paths' last scatterings chose their directions.
   struct ChosenLanes {
     // Per steradian in the rest frame there; 0 where lights were not looked for in that direction: after
     // mirrors, into and out of media, and before the first.
     Lanes<float> density;
-    Lanes<double> omega;  // the light's frequency there
+    Lanes<double> omega;        // the light's frequency there
+    Lanes<std::int32_t> frame;  // the rest frame there ...
+    Vec3fLanes facing;          // ... and where light was looked for, as Receiver has it
   };
   // What shines towards the paths from what they have met, before the emitter's factor: D65 light of
   // a colour, and colours of light of the materials' own spectra.
@@ -166,6 +169,7 @@ class PathWalk {
   void add_sampled(IncidentLanes& from, const Lanes<double>& density, const LitLanes& lit,
                    const ViewLobeLanes& lobes);
   void darken_insides(IncidentLanes& from) const;
+  Vec3f facing(int lane) const;
   void set_chosen(int lane, float density);
   float share_of_chance(int lane, double light_density) const;
   float share_of_sky(const Environment& sky, int lane) const;
@@ -181,6 +185,7 @@ class PathWalk {
   // it is at.
   void weigh(int lane, const Vec3f& weight) {
     paths_.throughput.set(lane, paths_.throughput.at(lane) * by_wavelength(lane, weight));
+    by_wavelength_.direct[lane] = 0;
     if (follows_lines()) history_.weigh(lane, weight, paths_.omega[lane]);
   }
   // Light that arrives at the end of the path, its emitter's factor included.
@@ -211,6 +216,8 @@ class PathWalk {
   // it. omega: its frequency in the emitter's rest frame over that in the camera.
   Vec3f light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
                             float kelvin, double omega) const;
+  // D65 light of a colour that the camera sees as it is needs no wavelengths: true if it was received.
+  bool receive_direct(int lane, const Vec3f& color, double omega);
   bool follows_lines() const { return stage_.spectra.shifts && stage_.spectra.has_lines; }
   // The lines of an emitter's light of a colour: they are not among the path's wavelengths. What the
   // surface where the path is scatters of it is `scattered`, a colour, if light comes by way of it.

@@ -1,5 +1,6 @@
 #include "tracer/shading_normal.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -93,6 +94,7 @@ Vec3f tilted(const MetSurface& met, const TextureUse& use, float scale) {
 
 // As surfaces_at has it, before it was tilted.
 Vec3f untilted(const MetSurface& met) {
+  if (!has_normal_map(met.material())) return met.surfaces.normal.at(met.lane);
   const Mesh& mesh = met.mesh();
   const Vec3 normal = on_met_side(
       met, normal_at(mesh, mesh.triangles[met.hits.triangle[met.lane]], weights_of(met)));
@@ -114,12 +116,6 @@ void tilt_normal(const MetSurface& met, double clock, TemporalEvaluator& evaluat
 }
 
 Vec3f clearcoat_normal(const MetSurface& met) {
-  const Material& material = met.material();
-  const bool is_tilted = has_normal_map(material) || material.clearcoat_normal_texture.texture >= 0;
-  return is_tilted ? coat_normal_at(met) : met.surfaces.normal.at(met.lane);
-}
-
-Vec3f coat_normal_at(const MetSurface& met) {
   const Material& material = met.material();
   if (material.clearcoat_normal_texture.texture < 0) return untilted(met);
   const Vec3f normal =

@@ -23,8 +23,6 @@ void tilt_normal(const MetSurface& met, double clock, TemporalEvaluator& evaluat
 // The normal of the lane's clearcoat, likewise: the mesh's own, or as the clearcoat's own normal
 // texture tilts that. May be asked before tilt_normal and after.
 Vec3f clearcoat_normal(const MetSurface& met);
-// The same without what surfaces_at has found, but for the side that is met.
-Vec3f coat_normal_at(const MetSurface& met);
 
 // A shading normal for what mirrors: where the mirror image of `view` would come from below the
 // triangle, the nearest one, about, whose does not. Without it such places are black. All unit; view

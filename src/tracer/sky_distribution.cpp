@@ -21,6 +21,10 @@ double weight(const Vec3f& radiance) {
 struct Corners {
   double upper_left, upper_right, lower_left, lower_right;
 
+  double over_mean(double s, double t) const {
+    const double of_cell = mean();
+    return of_cell > 0.0 ? at(s, t) / of_cell : 1.0;
+  }
   double mean() const { return 0.25 * (upper_left + upper_right + lower_left + lower_right); }
   double at(double s, double t) const {
     const double upper = upper_left + s * (upper_right - upper_left);
@@ -100,16 +104,10 @@ double SkyDistribution::cell_chance(int column, int row) const {
 }
 
 // A pixel's place times its size in angles is sin(from zenith) (2 pi / width) (pi / height) sr.
-double SkyDistribution::density_at(const SkyPlace& place, int column, int row) const {
-  const Rows r = rows(row);
-  const double s = place.x - (column - 0.5);
-  const double t = (place.y - r.begin) / (r.end - r.begin);
-  const Corners w = weights(map_, column, row);
-  const double mean = w.mean();
-  const double over_cell = mean > 0.0 ? w.at(s, t) / mean : 1.0;
-  const double pixel =
-      std::sin(pi * place.y / map_.height) * (2 * pi / map_.width) * (pi / map_.height);
-  return cell_chance(column, row) * over_cell / ((r.end - r.begin) * pixel);
+double SkyDistribution::per_steradian(const CellNumber& cell, double over_cell, double sine) const {
+  const Rows r = rows(cell.row);
+  const double pixel = sine * (2 * pi / map_.width) * (pi / map_.height);
+  return cell_chance(cell.column, cell.row) * over_cell / ((r.end - r.begin) * pixel);
 }
 
 SkyDistribution::Chosen SkyDistribution::choose(double u, double v) const {
@@ -125,7 +123,9 @@ SkyDistribution::Chosen SkyDistribution::choose(double u, double v) const {
   const double s = linearly_distributed(w.at(0, t), w.at(1, t), in_columns.within);
   const Rows r = rows(row);
   const SkyPlace place{column - 0.5 + s, r.begin + t * (r.end - r.begin)};
-  return {sky_direction(map_, place), density_at(place, column, row)};
+  const Vec3 direction = sky_direction(map_, place);
+  const double sine = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+  return {direction, per_steradian({column, row}, w.over_mean(s, t), sine)};
 }
 
 double SkyDistribution::density(const Vec3& direction) const {
@@ -134,7 +134,10 @@ double SkyDistribution::density(const Vec3& direction) const {
   if (place.x >= map_.width - 0.5) place.x -= map_.width;
   const int column = std::clamp(static_cast<int>(std::floor(place.x + 0.5)), 0, map_.width - 1);
   const int row = std::clamp(static_cast<int>(std::floor(place.y + 0.5)), 0, map_.height);
-  return density_at(place, column, row);
+  const Rows r = rows(row);
+  const double s = place.x - (column - 0.5), t = (place.y - r.begin) / (r.end - r.begin);
+  const double sine = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+  return per_steradian({column, row}, weights(map_, column, row).over_mean(s, t), sine);
 }
 
 }  // namespace restframe

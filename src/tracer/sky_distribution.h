@@ -33,9 +33,13 @@ class SkyDistribution {
   struct Rows {
     double begin = 0, end = 0;  // in pixels from the top
   };
+  struct CellNumber {
+    int column = 0, row = 0;
+  };
   Rows rows(int row) const;
   double cell_chance(int column, int row) const;
-  double density_at(const SkyPlace& place, int column, int row) const;
+  // over_cell: of the density there, over its mean in the cell; sine: of the angle from the zenith.
+  double per_steradian(const CellNumber& cell, double over_cell, double sine) const;
 
   const SkyMap& map_;
   double total_ = 0;

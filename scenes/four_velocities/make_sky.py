@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes evening.exr: a clear sky with a low sun over dark ground, latitude and longitude.
 
-    scenes/skies/make_sky.py evening.exr
+    scenes/four_velocities/make_sky.py evening.exr
 
 Radiance is linear Rec. 709, about 1 at the horizon. Rows go from +y (up) to -y.
 """
