@@ -99,7 +99,9 @@ TEST(Planck, IsFiniteForAll) {
       EXPECT_TRUE(std::isfinite(value) && value >= 0) << w << ' ' << kelvin;
       // Rayleigh and Jeans: 2 c k T / wavelength^4
       const double long_waves = 2 * 2.99792458e8 * 1.380649e-23 * kelvin * 1e27 / std::pow(w, 4);
-      if (w * kelvin > 1e13) EXPECT_NEAR(value / long_waves, 1, 1e-5);
+      if (w * kelvin > 1e13) {
+        EXPECT_NEAR(value / long_waves, 1, 1e-5);
+      }
     }
   }
   EXPECT_EQ(planck(500, 0), 0);

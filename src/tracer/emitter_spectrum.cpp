@@ -206,6 +206,7 @@ SceneSpectra::SceneSpectra(const Scene& scene)
   }
   for (const Light& light : scene.lights) all.emplace_back(light.temperature, light.spectrum);
   matters = shifts;
+  if (shifts) shifted.emplace(observer);
   for (const EmitterSpectrum& spectrum : all) {
     has_lines = has_lines || spectrum.has_lines();
     matters = matters || spectrum.is_own();

@@ -84,6 +84,8 @@ class ShiftedDaylight {
 // The spectra of a scene.
 struct SceneSpectra {
   explicit SceneSpectra(const Scene& scene);
+  SceneSpectra(const SceneSpectra&) = delete;  // shifted refers to the observer
+  SceneSpectra& operator=(const SceneSpectra&) = delete;
 
   // Of the materials, then of the lights.
   const EmitterSpectrum& operator[](std::int32_t index) const {
@@ -98,6 +100,7 @@ struct SceneSpectra {
   bool matters = false;  // or else: something has a spectrum of its own
   bool has_lines = false;
   Observer observer;
+  std::optional<ShiftedDaylight> shifted;  // where it shifts
   EmitterSpectrum daylight;
   std::vector<EmitterSpectrum> all;
   std::size_t light_count;

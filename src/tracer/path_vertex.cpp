@@ -159,7 +159,13 @@ void PathWalk::add_emission(const ShineLanes& shines) {
   Vec3fLanes light = shines.radiance;
   if (stage_.spectra.shifts) {
     for (int lane = 0; lane < packet_size; ++lane) {
-      if (met_[lane] == 0) continue;
+      if (met_[lane] == 0 || light.at(lane) == Vec3f(0)) continue;
+      const double omega = paths_.omega[lane];
+      const Vec3f color = light.at(lane) * emitter_factor(beaming, 1.0 / omega);
+      if (receive_direct(lane, color, omega)) {
+        light.set(lane, Vec3f(0));
+        continue;
+      }
       light.set(lane, light_by_wavelength(lane, stage_.spectra.daylight, light.at(lane), 0.0F,
                                           paths_.omega[lane]));
     }

@@ -88,7 +88,8 @@ class PathWalk {
     // What surfaces reflect of them, and daylight, where light has `omega` times its frequency.
     Lanes<double> omega;
     Lanes<std::array<Vec4f, 3>> local;
-    Vec3fLanes lines;  // light of emission lines, linear Rec. 709
+    Vec3fLanes color;  // light that is not told by wavelength, linear Rec. 709: of lines, ...
+    Lanes<std::int32_t> direct;  // ... and of daylight that nothing has weighed on its way: -1
   };
   // How the paths' last scatterings chose their directions.
   struct ChosenLanes {
@@ -184,6 +185,7 @@ class PathWalk {
   // it is at.
   void weigh(int lane, const Vec3f& weight) {
     paths_.throughput.set(lane, paths_.throughput.at(lane) * by_wavelength(lane, weight));
+    by_wavelength_.direct[lane] = 0;
     if (follows_lines()) history_.weigh(lane, weight, paths_.omega[lane]);
   }
   // Light that arrives at the end of the path, its emitter's factor included.
@@ -193,7 +195,7 @@ class PathWalk {
   void widen_cone(int lane, float density);
   void depart(int lane, const Vec3f& direction);
 
-  void choose_wavelengths();
+  void choose_wavelengths(const PacketId& id);
   void find_local_spectra();
   // A fraction by colour, where the path is, as one by the path's lanes.
   Vec3f by_wavelength(int lane, const Vec3f& color) const {
@@ -214,6 +216,8 @@ class PathWalk {
   // it. omega: its frequency in the emitter's rest frame over that in the camera.
   Vec3f light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
                             float kelvin, double omega) const;
+  // D65 light of a colour that the camera sees as it is needs no wavelengths: true if it was received.
+  bool receive_direct(int lane, const Vec3f& color, double omega);
   bool follows_lines() const { return stage_.spectra.shifts && stage_.spectra.has_lines; }
   // The lines of an emitter's light of a colour: they are not among the path's wavelengths. What the
   // surface where the path is scatters of it is `scattered`, a colour, if light comes by way of it.

@@ -19,7 +19,6 @@ Preview::Preview(const Scene& scene, const FrameSet& frames)
       tables_(scene),
       places_(object_places(scene, frames)),
       spectra_(scene) {
-  if (spectra_.shifts) shifted_.emplace(spectra_.observer);
   simple_.push_back({Vec4f(0), Vec4f(0), 1, 1});
   for (const Material& material : scene.materials) {
     plain_.push_back(plain(material));
@@ -78,7 +77,7 @@ Vec4f Preview::shade_changing(const Met& met, TemporalEvaluator& evaluator) cons
 
 // D65 light of a colour where wavelengths shift.
 Vec3f Preview::as_seen(const Vec3f& color, const Met& met) const {
-  return shifted_ ? (*shifted_)(color, doppler_at(met.hits, met.lane)) : color;
+  return spectra_.shifted ? (*spectra_.shifted)(color, doppler_at(met.hits, met.lane)) : color;
 }
 
 Vec3f Preview::own_spectrum(const Met& met, const Vec3f& filter, double clock,
@@ -99,7 +98,7 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
   } else if (surfaces.back[met.lane] == 0 || plain.double_sided) {
     shaded = (plain.lit * surfaces.cosine[met.lane] + plain.unlit) * surfaces.color_at(met.lane) +
              plain.emission;
-    if (shifted_) shaded = Vec4f(as_seen(Vec3f(shaded), met), shaded.w);
+    if (spectra_.shifts) shaded = Vec4f(as_seen(Vec3f(shaded), met), shaded.w);
   }
   if (scene_.render.beaming) {
     const float factor = emitter_factor(true, doppler_at(met.hits, met.lane));
@@ -111,7 +110,7 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
 RESTFRAME_CLONES bool Preview::shade_simple(const RayPacket& rays, const HitPacket& hits,
                                             const SurfaceLanes& surfaces,
                                             RadianceLanes& radiance) const {
-  if (surfaces.colored || scene_.render.beaming || shifted_) return false;
+  if (surfaces.colored || scene_.render.beaming || spectra_.shifts) return false;
   Lanes<std::int32_t> index, front;
   Lanes<float> cosine;
 #pragma GCC ivdep

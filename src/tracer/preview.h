@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "scene/temporal_evaluator.h"
 #include "tracer/emitter_spectrum.h"
 #include "tracer/random.h"
@@ -66,9 +64,8 @@ class Preview {
   SurfaceTables tables_;
   std::vector<ObjectPlace> places_;
   SceneSpectra spectra_;
-  std::optional<ShiftedDaylight> shifted_;  // where wavelengths shift
-  std::vector<Plain> plain_;                // a material each
-  std::vector<Simple> simple_;              // nothing, then a material each
+  std::vector<Plain> plain_;    // a material each
+  std::vector<Simple> simple_;  // nothing, then a material each
 };
 
 }  // namespace restframe
