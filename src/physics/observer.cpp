@@ -10,7 +10,7 @@ namespace {
 
 constexpr int piece_count = 1536;  // of which a third is a whole number
 constexpr double part_width = 5;   // nm; of the visible, the step of the CIE's tables
-constexpr int parts_of_band = 96;
+constexpr int parts_of_band = 768;
 
 // The density of wavelengths for an eye. That of the matching functions themselves would leave
 // responses over density that do not vanish at the ends: the mean over evenly spaced wavelengths
@@ -67,6 +67,10 @@ Observer::Observer(const std::optional<WavelengthBand>& band) : band_(band) {
     look_at(*band_);
   } else {
     look_at_visible();
+  }
+  for (const Piece& piece : pieces_) {
+    fine_parts_.push_back(
+        {piece.begin + 0.5F * piece.width, piece.rgb / static_cast<float>(piece_count)});
   }
 }
 

@@ -43,6 +43,8 @@ class Observer {
 
   // To be summed over, where there is no chance: some nanometres each.
   std::span<const Part> parts() const { return parts_; }
+  // Likewise, and fine enough for spectra as jagged as daylight's.
+  std::span<const Part> fine_parts() const { return fine_parts_; }
 
   // The colour of one watt of a single wavelength.
   Vec3 response(double wavelength) const;
@@ -59,7 +61,7 @@ class Observer {
   std::optional<WavelengthBand> band_;
   Vec3 white_{1};  // energy in each third; of a band
   std::vector<Piece> pieces_;
-  std::vector<Part> parts_;
+  std::vector<Part> parts_, fine_parts_;
 };
 
 }  // namespace restframe

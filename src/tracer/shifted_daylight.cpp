@@ -6,9 +6,11 @@
 namespace restframe {
 namespace {
 
-// From D of 1/16 to 16; others are summed when they are met.
-constexpr double octaves = 4;
-constexpr int steps_an_octave = 128;
+// From D of 1/256 to 256; others are summed when they are met.
+constexpr double octaves = 8;
+constexpr int steps_an_octave = 96;
+// The table of daylight is far from what is visible, and what is there is smooth.
+constexpr double far_off = 2;  // octaves
 constexpr int size = static_cast<int>(2 * octaves) * steps_an_octave + 1;
 
 }  // namespace
@@ -19,13 +21,15 @@ ShiftedDaylight::ShiftedDaylight(const Observer& observer) : observer_(observer)
   }
 }
 
+// Columns: what becomes of red, green and blue.
 glm::mat3 ShiftedDaylight::matrix_at(double doppler) const {
-  const EmitterSpectrum daylight;
-  glm::mat3 columns;
-  for (int i = 0; i < 3; ++i) {
-    Vec3f color(0);
-    color[i] = 1;
-    columns[i] = daylight.seen(observer_, color, 0.0F, doppler);
+  const SpectrumTable& table = SpectrumTable::get();
+  const bool is_near = std::abs(std::log2(doppler)) < far_off;
+  const auto d = static_cast<float>(doppler);
+  glm::mat3 columns(0.0F);
+  for (const Observer::Part& part : is_near ? observer_.fine_parts() : observer_.parts()) {
+    const Vec4f values = table(part.wavelength * d);
+    for (int i = 0; i < 3; ++i) columns[i] += part.rgb * (d * values.w * values[i]);
   }
   return columns;
 }
