@@ -29,6 +29,11 @@ struct BlockPattern {
   }
 };
 
+// The lanes of the block whose first pixel is at (left, top), and which of so many columns and rows are
+// pixels of the picture.
+void place_block(const BlockPattern& pattern, int left, int top, int columns, int rows,
+                 PixelLanes& pixels, Lanes<std::int32_t>& active, Lanes<std::uint32_t>& place);
+
 // What the tiles of one picture share.
 struct PictureView {
   const RenderContext& context;
@@ -65,20 +70,7 @@ struct Block {
     height = std::min(block_side, settings.height - top);
     id.seed = settings.seed;
     id.picture = static_cast<std::uint32_t>(view.number);
-    const BlockPattern& pattern = view.pattern;
-    const std::uint32_t first =
-        morton_place(static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top));
-    const std::int32_t columns = width;
-    const std::int32_t rows = height;
-#pragma GCC ivdep
-    for (int lane = 0; lane < packet_size; ++lane) {
-      const std::int32_t across = pattern.offset.x[lane];
-      const std::int32_t down = pattern.offset.y[lane];
-      pixels.x[lane] = x + across;
-      pixels.y[lane] = y + down;
-      active[lane] = (across < columns ? -1 : 0) & (down < rows ? -1 : 0);
-      id.pixel[lane] = first | pattern.place[lane];
-    }
+    place_block(view.pattern, left, top, width, height, pixels, active, id.pixel);
   }
 };
 

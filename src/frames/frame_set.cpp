@@ -86,13 +86,18 @@ void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
 
 void FrameSet::locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,
                       HitEvents& events) const {
-  Lanes<std::uint64_t> parts;
   Lanes<std::int32_t> waiting;
 #pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) waiting[i] = hits.frame[i] >= 0 ? active[i] : 0;
+  if (frames_.size() == 1) {  // keys half as long are told apart twice as fast
+    return for_each_group(hits.part, waiting, [&](int first, const Lanes<std::int32_t>& group) {
+      frames_[0].locate(hits, first, group, by_clock, events);
+    });
+  }
+  Lanes<std::uint64_t> parts;
+#pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
-    const bool hit = hits.frame[i] >= 0 && active[i] != 0;
     parts[i] = (static_cast<std::uint64_t>(hits.frame[i]) << 32) | hits.part[i];
-    waiting[i] = hit ? -1 : 0;
   }
   for_each_group(parts, waiting, [&](int first, const Lanes<std::int32_t>& group) {
     frame(hits.frame[first]).locate(hits, first, group, by_clock, events);

@@ -98,11 +98,28 @@ RESTFRAME_CLONES void integrate_facets(const View (&views)[cosines],
   }
 }
 
+using FacetNodes = std::array<float, std::size_t{cosines} * FacetAlbedoTable::roughnesses>;
+
+// The corners of a cell, from the node of the least cosine and roughness on.
+FacetAlbedoTable::Cells packed(const FacetNodes& nodes) {
+  FacetAlbedoTable::Cells cells{};
+  constexpr std::size_t columns = cosines - 1;
+  for (std::size_t at = 0; at < cells.size(); ++at) {
+    const std::size_t first = at / columns * cosines + at % columns;
+    const std::size_t corners[] = {first, first + 1, first + cosines, first + cosines + 1};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const float value = std::min(std::max(0.0F, nodes[corners[i]]), 1.0F);
+      cells[at] |= static_cast<std::uint64_t>(std::lround(value * 65535.0F)) << (16 * i);
+    }
+  }
+  return cells;
+}
+
 FacetAlbedoTable tabulate_facets() {
-  FacetAlbedoTable table{};
+  FacetNodes all_nodes{}, share_nodes{};
   const std::vector<DiscPoint> points = disc_points(377);
-  for (int row = 0; row < table.roughnesses; ++row) {
-    const float alpha = node_alpha(row, table.roughnesses);
+  for (int row = 0; row < FacetAlbedoTable::roughnesses; ++row) {
+    const float alpha = node_alpha(row, FacetAlbedoTable::roughnesses);
     View from_edge[cosines], even[cosines];
     for (int i = 0; i < cosines; ++i) {
       const float x = at_node(i, cosines);
@@ -114,11 +131,11 @@ FacetAlbedoTable tabulate_facets() {
     integrate_facets(even, points, share);
     const auto first = static_cast<std::size_t>(row * cosines);
     for (std::size_t i = 0; i < static_cast<std::size_t>(cosines); ++i) {
-      table.all[first + i] = all.all[i];
-      table.share[first + i] = share.grazing[i] / share.all[i];
+      all_nodes[first + i] = all.all[i];
+      share_nodes[first + i] = share.grazing[i] / share.all[i];
     }
   }
-  return table;
+  return {packed(all_nodes), packed(share_nodes)};
 }
 
 // Indices are even in the signed root of (eta - 1) / (eta + 1), up to about 10 and its inverse.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "tracer/bsdf.h"
 #include "tracer/bsdf_terms.h"
@@ -22,9 +23,11 @@ struct FacetAlbedo {
 // is left, on the cosine.
 struct FacetAlbedoTable {
   static constexpr int cosines = 33, roughnesses = 17;
-  using Values = std::array<float, static_cast<std::size_t>(cosines) * roughnesses>;
-  Values all;    // even in cosine / (cosine + alpha)
-  Values share;  // grazing over all; even in the cosine's root
+  // What a cell between nodes has at its four corners, 16 bits for 0 to 1 each, so that a lane has them with
+  // one load: cosine by cosine, then roughness by roughness.
+  using Cells = std::array<std::uint64_t, std::size_t{cosines - 1} * (roughnesses - 1)>;
+  Cells all;    // even in cosine / (cosine + alpha)
+  Cells share;  // grazing over all; even in the cosine's root
 };
 const FacetAlbedoTable& facet_albedo_table();
 
@@ -58,14 +61,25 @@ inline float between(const Values& values, int stride, NodePlace column, NodePla
   return here + (there - here) * row.beyond;
 }
 
+inline float between(const FacetAlbedoTable::Cells& cells, NodePlace column, NodePlace row) {
+  const int at = row.node * (FacetAlbedoTable::cosines - 1) + column.node;
+  const std::uint64_t cell = cells[static_cast<std::size_t>(at)];
+  const auto corner = [&](unsigned i) {
+    return static_cast<float>(static_cast<std::int32_t>((cell >> (16U * i)) & 0xffffU));
+  };
+  const float here = corner(0) + (corner(1) - corner(0)) * column.beyond;
+  const float there = corner(2) + (corner(3) - corner(2)) * column.beyond;
+  return (here + (there - here) * row.beyond) * (1.0F / 65535.0F);
+}
+
 // Without branches, for loops over lanes.
 inline FacetAlbedo facet_albedo(const FacetAlbedoTable& table, float cos_view, float alpha) {
   const float a = std::max(smallest_alpha, alpha);
   const NodePlace row = alpha_place(a, table.roughnesses);
   const NodePlace from_edge = node_place(cos_view * (1.0F + a) / (cos_view + a), table.cosines);
   const NodePlace column = node_place(std::sqrt(std::max(0.0F, cos_view)), table.cosines);
-  const float all = between(table.all, table.cosines, from_edge, row);
-  const float share = between(table.share, table.cosines, column, row);
+  const float all = between(table.all, from_edge, row);
+  const float share = between(table.share, column, row);
   const bool smooth = alpha < smallest_alpha;
   return {smooth ? 1.0F : all, smooth ? schlick(cos_view) : all * share};
 }

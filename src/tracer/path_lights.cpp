@@ -8,6 +8,12 @@ namespace restframe {
 
 // Where all surfaces rest in the world, nobody asks for their boosts.
 void PathWalk::find_rest_frames(LitLanes& lit) const {
+  if (stage_.frames.frames().size() == 1) {
+    const Boost<in::Rest, in::World>& only = stage_.frames.frame(0).coordinates().from_world;
+    lit.rest_from_world.fill(&only);
+    lit.all_rest = only.is_identity();
+    return;
+  }
   lit.all_rest = true;
   for (int i = 0; i < packet_size; ++i) {
     if (lit.active[i] == 0) continue;

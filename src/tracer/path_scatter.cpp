@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tracer/path_walk.h"
 
@@ -46,18 +47,17 @@ float PathWalk::index_ratio(int lane, const MetSurface& met, double clock) {
 }
 
 void PathWalk::scatter_on() {
+  const int depth =
+      stage_.has_emitters ? std::numeric_limits<int>::max() : stage_.scene.render.depth;
   Lanes<std::int32_t> going;
-  Vec3fLanes numbers;
-  for (int lane = 0; lane < packet_size; ++lane) {
-    const bool goes_on =
-        stage_.has_emitters || paths_.scatterings[lane] < stage_.scene.render.depth;
-    going[lane] = goes_on ? vertices_.active[lane] : 0;
-    numbers.set(lane, Vec3f(0));
-    if (going[lane] == 0) continue;
-    numbers.set(lane, {random(lane, Dimension::lobe), random(lane, Dimension::direction_u),
-                       random(lane, Dimension::direction_v)});
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    going[i] = paths_.scatterings[i] < depth ? vertices_.active[i] : 0;
   }
   if (!any_active(going)) return;
+  const Vec3fLanes numbers{random_.lanes(Dimension::lobe, round_),
+                           random_.lanes(Dimension::direction_u, round_),
+                           random_.lanes(Dimension::direction_v, round_)};
   ScatteredLanes scattered;
   scatter(vertices_.bsdf, vertices_.lobes, going, numbers, scattered);
   for (int lane = 0; lane < packet_size; ++lane) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "physics/clones.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -53,16 +54,17 @@ void PathWalk::choose_wavelengths(const PacketId& id) {
   if (follows_lines()) history_.clear();
 }
 
-void PathWalk::take_radiance(RadianceLanes& radiance) const {
-  for (int lane = 0; lane < packet_size; ++lane) {
-    Vec3f color = paths_.radiance.at(lane);
-    if (stage_.spectra.shifts) {
-      const Vec3f light = color;
-      color = by_wavelength_.color.at(lane);
-      for (int i = 0; i < 3; ++i) {
-        const float choice = chooser(by_wavelength_.hero[lane], i);
-        color += stage_.spectra.observer.sample(choice).rgb * (light[i] * (1.0F / 3.0F));
-      }
+RESTFRAME_CLONES void PathWalk::take_radiance(RadianceLanes& radiance) const {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    radiance[i] = Vec4f(paths_.radiance.at(i), paths_.coverage[i]);
+  }
+  for (int lane = 0; stage_.spectra.shifts && lane < packet_size; ++lane) {
+    const Vec3f light = paths_.radiance.at(lane);
+    Vec3f color = by_wavelength_.color.at(lane);
+    for (int i = 0; i < 3; ++i) {
+      const float choice = chooser(by_wavelength_.hero[lane], i);
+      color += stage_.spectra.observer.sample(choice).rgb * (light[i] * (1.0F / 3.0F));
     }
     radiance[lane] = Vec4f(color, paths_.coverage[lane]);
   }
