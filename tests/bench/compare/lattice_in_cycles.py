@@ -8,6 +8,9 @@ import sys
 import time
 
 import bpy
+import numpy
+
+numpy.bool = bool  # Debian 12's importer of glTF asks for this old name
 
 lattice, samples, seed, output = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.wm.read_factory_settings(use_empty=True)
