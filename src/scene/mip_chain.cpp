@@ -58,7 +58,7 @@ class SrgbEncoder {
 };
 
 std::uint8_t data_byte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
 }
 
 Vec4f pixel_of(const TexelGrid& grid, bool srgb, int x, int y) {

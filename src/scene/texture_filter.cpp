@@ -45,7 +45,8 @@ Vec4f sample_level(const Texture& texture, const Image& image, const MipChain& m
   const auto sample = [&](int i) {
     return sample_grid(texture, texture.shrunken_filter, level_of(image, mips, i), uv);
   };
-  if (texture.mip_filter == MipFilter::nearest) return sample(static_cast<int>(bounded + 0.5F));
+  if (texture.mip_filter == MipFilter::nearest)
+    return sample(static_cast<int>(std::lround(bounded)));
   const int below = static_cast<int>(bounded);
   const float fraction = bounded - static_cast<float>(below);
   if (fraction == 0) return sample(below);
