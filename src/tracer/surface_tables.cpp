@@ -81,16 +81,19 @@ void SurfaceTables::build_chains(const Scene& scene) {
 void SurfaceTables::build_tangents(const Scene& scene) {
   tangents_.resize(scene.meshes.size());
   for (const Object& object : scene.objects) {
-    for (const PlacedMesh& part : object.parts) {
-      const auto index = static_cast<std::size_t>(part.mesh);
-      const Mesh& mesh = scene.meshes[index];
-      for (const MaterialRange& range : mesh.materials) {
-        const int material = object.materials[static_cast<std::size_t>(range.slot)];
-        const Material& m = scene.materials[static_cast<std::size_t>(material)];
-        for (const TextureUse& use : {m.normal_texture, m.clearcoat_normal_texture}) {
-          if (use.texture >= 0) add_tangents(mesh, use, tangents_[index]);
-        }
-      }
+    for (const PlacedMesh& part : object.parts) add_tangents(scene, object, part.mesh);
+  }
+}
+
+// What the normal maps of the object's materials need.
+void SurfaceTables::add_tangents(const Scene& scene, const Object& object, int mesh_index) {
+  const auto index = static_cast<std::size_t>(mesh_index);
+  const Mesh& mesh = scene.meshes[index];
+  for (const MaterialRange& range : mesh.materials) {
+    const int material = object.materials[static_cast<std::size_t>(range.slot)];
+    const Material& m = scene.materials[static_cast<std::size_t>(material)];
+    for (const TextureUse& use : {m.normal_texture, m.clearcoat_normal_texture}) {
+      if (use.texture >= 0) add_tangents(mesh, use, tangents_[index]);
     }
   }
 }

@@ -38,6 +38,7 @@ class SurfaceTables {
  private:
   void build_chains(const Scene& scene);
   void build_tangents(const Scene& scene);
+  void add_tangents(const Scene& scene, const Object& object, int mesh_index);
   void add_tangents(const Mesh& mesh, const TextureUse& use, std::vector<TangentTable>& tables);
 
   std::vector<int> chain_of_;  // a texture each
