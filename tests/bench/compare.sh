@@ -14,4 +14,4 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 export XDG_CONFIG_HOME=$folder/config XDG_CACHE_HOME=$folder/cache PYTHONDONTWRITEBYTECODE=1
 g++ -O2 -shared -fPIC -o "$folder/count_rays.so" "$here/compare/count_rays.cpp" -ldl
-python3 "$here/compare/compare.py" "$program" "$folder/count_rays.so" "$folder" "$here/compare.csv"
+/usr/bin/python3 "$here/compare/compare.py" "$program" "$folder/count_rays.so" "$folder" "$here/compare.csv"

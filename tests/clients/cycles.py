@@ -19,7 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cycles_scenes as scenes  # noqa: E402
 
 BLOCK = 8
-CYCLES_SAMPLES, OWN_SAMPLES = 1024, 1024
+CYCLES_SAMPLES, OWN_SAMPLES = 256, 256
 CHANCE = 1e-3  # that equal renderers fail
 
 

@@ -21,8 +21,8 @@ from blender_exr import read_exr  # noqa: E402
 
 PROGRAM, COUNTER, FOLDER, TABLE = sys.argv[1:]
 FOLDER = pathlib.Path(FOLDER)
-FEW, MANY = 4, 20
-ROUNDS = 3
+FEW, MANY = 4, 12
+ROUNDS = 2
 
 SCENE = """[camera]
 position = [0.3, 0.4, {z}]
