@@ -19,7 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cycles_scenes as scenes  # noqa: E402
 
 FOV = 22
-WIDTH, HEIGHT, SAMPLES = 640, 320, 128
+WIDTH, HEIGHT, SAMPLES = 640, 320, 64
 ENGINE = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb"
 CLAY = (0.8, 0.35, 0.2)
 BALLS = [  # name, base colour, Principled's inputs; Blender's clear coat and sheen are others than glTF's
