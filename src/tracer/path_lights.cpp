@@ -8,18 +8,13 @@ namespace restframe {
 
 // Where all surfaces rest in the world, nobody asks for their boosts.
 void PathWalk::find_rest_frames(LitLanes& lit) const {
-  if (stage_.frames.frames().size() == 1) {
-    const Boost<in::Rest, in::World>& only = stage_.frames.frame(0).coordinates().from_world;
-    lit.rest_from_world.fill(&only);
-    lit.all_rest = only.is_identity();
-    return;
-  }
   lit.all_rest = true;
-  for (int i = 0; i < packet_size; ++i) {
-    if (lit.active[i] == 0) continue;
-    lit.rest_from_world[i] = &stage_.frames.frame(hits_.frame[i]).coordinates().from_world;
-    lit.all_rest = lit.all_rest && lit.rest_from_world[i]->is_identity();
-  }
+  for_each_group(hits_.frame, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
+    const Boost<in::Rest, in::World>* boost =
+        &stage_.frames.frame(hits_.frame[first]).coordinates().from_world;
+    lit.all_rest = lit.all_rest && boost->is_identity();
+    for (int i = 0; i < packet_size; ++i) set_in(group, i, lit.rest_from_world, boost);
+  });
 }
 
 void PathWalk::add_lights() {
