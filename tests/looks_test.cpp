@@ -9,6 +9,7 @@
 #include "importers/importers.h"
 #include "support/direct_render.h"
 #include "support/gltf_builder.h"
+#include "support/loaded_scene.h"
 #include "support/temporary_folder.h"
 
 namespace restframe {
@@ -26,23 +27,9 @@ double color_188() {
   return std::pow((byte_188 + 0.055) / 1.055, 2.4);
 }
 
-// Seen from (0, 0, 2): at z = 0 the picture shows x and y from -1 to 1.
-Scene scene_of(const std::filesystem::path& file) {
-  Warnings warnings;
-  Scene scene = load_scene(file, {}, warnings);
-  EXPECT_EQ(warnings, Warnings{});
-  std::get<Worldline>(scene.camera.motion).reference.x = {0, 0, 2};
-  scene.camera.vertical_fov = 2 * std::atan(0.5);
-  scene.camera_given = true;
-  scene.render.width = scene.render.height = pixels;
-  scene.render.samples = 1;
-  scene.output.layers = {Layer::beauty, Layer::normal};
-  return scene;
-}
-
 Scene scene_of(const GltfBuilder& builder) {
   const TemporaryFolder folder;
-  return scene_of(folder.write("asset.glb", builder.glb()));
+  return seen_from_front(folder.write("asset.glb", builder.glb()), pixels);
 }
 
 // The pixel that shows (x, y, 0).
@@ -120,9 +107,10 @@ TEST(Looks, TexturesOfObj) {
   folder.write("four.png", test::png(2, 2, red + green + blue + white));
   folder.write("four.mtl", "newmtl four\nKd 1 1 1\nmap_Kd -blendu off -blendv off four.png\n");
   Scene scene =
-      scene_of(folder.write("square.obj",
-                            "mtllib four.mtl\nusemtl four\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\n"
-                            "v -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"));
+      seen_from_front(folder.write("square.obj",
+                                   "mtllib four.mtl\nusemtl four\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\n"
+                                   "v -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"),
+                      pixels);
   for (Material& material : scene.materials) material.unlit = true;
   const Picture picture = first_picture(scene);
   expect_near(at(picture, -0.5, 0.5), {1, 0, 0, 1}, "upper left");

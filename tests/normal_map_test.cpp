@@ -9,6 +9,7 @@
 #include "importers/importers.h"
 #include "support/direct_render.h"
 #include "support/gltf_builder.h"
+#include "support/loaded_scene.h"
 #include "support/temporary_folder.h"
 #include "support/textured_square.h"
 #include "tracer/shading_normal.h"
@@ -250,19 +251,6 @@ TEST(NormalMap, ClearcoatsHaveNormalsOfTheirOwn) {
   }
 }
 
-Scene loaded(const std::filesystem::path& file) {
-  Warnings warnings;
-  Scene scene = load_scene(file, {}, warnings);
-  EXPECT_EQ(warnings, Warnings{});
-  std::get<Worldline>(scene.camera.motion).reference.x = {0, 0, 2};
-  scene.camera.vertical_fov = 2 * std::atan(0.5);
-  scene.camera_given = true;
-  scene.render.width = scene.render.height = pixels;
-  scene.render.samples = 1;
-  scene.output.layers = {Layer::beauty, Layer::normal};
-  return scene;
-}
-
 const std::string map_png = test::png(1, 1, "\xc8\x5a\xe6\xff");
 
 TEST(NormalMap, OfGltf) {
@@ -277,7 +265,8 @@ TEST(NormalMap, OfGltf) {
   const int indices = builder.add_accessor<std::uint16_t>({0, 1, 2, 0, 2, 3}, "SCALAR");
   builder.add_mesh({{"attributes", attributes}, {"indices", indices}, {"material", 0}});
   const TemporaryFolder folder;
-  expect_normal(loaded(folder.write("asset.glb", builder.glb())), vector_of(color, 0.5));
+  expect_normal(seen_from_front(folder.write("asset.glb", builder.glb()), pixels),
+                vector_of(color, 0.5));
 }
 
 // vt counts upwards.
@@ -285,10 +274,11 @@ TEST(NormalMap, OfObj) {
   const TemporaryFolder folder;
   folder.write("map.png", map_png);
   folder.write("square.mtl", "newmtl m\nKd 0.5 0.5 0.5\nnorm map.png\n");
-  const Scene scene =
-      loaded(folder.write("square.obj",
-                          "mtllib square.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
-                          "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"));
+  const Scene scene = seen_from_front(
+      folder.write("square.obj",
+                   "mtllib square.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                   "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"),
+      pixels);
   expect_normal(scene, vector_of(color));
 }
 
