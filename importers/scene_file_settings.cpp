@@ -10,14 +10,15 @@ namespace restframe {
 namespace {
 
 // In the order of the enumerations Layer and Compression.
-const std::vector<std::string> layer_names = {"beauty", "Z",  "time", "doppler",  "N",
-                                              "P",      "UV", "id",   "variance", "samples"};
+const std::vector<std::string> layer_names = {"beauty",   "Z",       "time",  "doppler",
+                                              "N",        "P",       "UV",    "id",
+                                              "variance", "samples", "depth", "normal"};
 const std::vector<std::string> compression_names = {"none", "rle",   "zips", "zip",
                                                     "piz",  "pxr24", "dwaa", "dwab"};
 
 bool is_later_layer(const std::string& name) {
   static const std::vector<std::string> later = {
-      "motion",     "albedo",       "normal",        "direct",          "indirect",    "emission",
+      "motion",     "albedo",       "direct",        "indirect",        "emission",
       "reflection", "transmission", "crypto_object", "crypto_material", "crypto_asset"};
   return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
 }

@@ -57,9 +57,10 @@ TEST(FilmOffsets, NoTwoAreTheSame) {
   EXPECT_EQ(seen.size(), 10'000U);
 }
 
-const std::vector<Layer> all_layers = {
-    Layer::beauty,   Layer::z,  Layer::time, Layer::doppler,  Layer::normal,
-    Layer::position, Layer::uv, Layer::id,   Layer::variance, Layer::samples};
+const std::vector<Layer> all_layers = {Layer::beauty,  Layer::z,      Layer::time,
+                                       Layer::doppler, Layer::normal, Layer::position,
+                                       Layer::uv,      Layer::id,     Layer::variance,
+                                       Layer::samples, Layer::depth,  Layer::apparent_normal};
 
 TEST(Layers, TheTableHasEachOnce) {
   std::set<Layer> layers;
@@ -75,11 +76,14 @@ TEST(Layers, TheTableHasEachOnce) {
   EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
   EXPECT_EQ(layer_table().size(), all_layers.size());
   EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
-                                          "variance", "samples"}));
-  EXPECT_EQ(channels, (std::set<std::string>{"Z", "time_proper.V", "time_world.V", "doppler.D",
-                                             "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "UV.U",
-                                             "UV.V", "id_object.V", "id_material.V", "variance.R",
-                                             "variance.G", "variance.B", "samples.V"}));
+                                          "variance", "samples", "depth", "normal"}));
+  EXPECT_EQ(
+      channels,
+      (std::set<std::string>{
+          "Z",           "time_proper.V", "time_world.V", "doppler.D",  "N.X",        "N.Y",
+          "N.Z",         "P.X",           "P.Y",          "P.Z",        "UV.U",       "UV.V",
+          "id_object.V", "id_material.V", "variance.R",   "variance.G", "variance.B", "samples.V",
+          "depth.Z",     "normal.X",      "normal.Y",     "normal.Z"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
@@ -108,6 +112,8 @@ SurfaceData surface() {
   data.position = {0.5, -0.25, 2};
   data.normal = {0, 0.6, -0.8};
   data.uv = {0.125, 0.875};
+  data.depth = 3.25;
+  data.apparent_normal = {0.8, 0, 0.6};
   return data;
 }
 
@@ -155,11 +161,15 @@ TEST(Exr, HoldsWhatWasSet) {
                                                  {"variance.R", 0.25F},
                                                  {"variance.G", 0.5F},
                                                  {"variance.B", std::numeric_limits<float>::max()},
-                                                 {"samples.V", 48.0F}};
+                                                 {"samples.V", 48.0F},
+                                                 {"depth.Z", 6.5F},
+                                                 {"normal.X", 0.8F},
+                                                 {"normal.Y", 0.0F},
+                                                 {"normal.Z", 0.6F}};
   EXPECT_EQ(exr.channels.size(), expected.size());
   for (const auto& [name, value] : expected) {
     EXPECT_EQ(exr.at(name, 2, 1), value) << name;
-    EXPECT_EQ(exr.at(name, 0, 1), name == "Z" ? inf : 0.0F) << name;
+    EXPECT_EQ(exr.at(name, 0, 1), (name == "Z" || name == "depth.Z") ? inf : 0.0F) << name;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/render_picture.h"
+#include "tracer/apparent_surface.h"
 #include "tracer/camera_sampler.h"
 #include "tracer/exposed_camera.h"
 
@@ -42,6 +43,7 @@ struct PictureView {
   ExposedCamera camera;
   BlockPattern pattern;
   bool measured;  // how sure pixels are
+  bool apparent;  // surfaces as the camera sees them are among the data layers
 
   PictureView(const RenderContext& of, int picture, const PixelWindow& pixels)
       : context(of),
@@ -49,7 +51,9 @@ struct PictureView {
         window(pixels),
         sampler(of.scene),
         camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
-        measured(measures_noise(of.scene)) {}
+        measured(measures_noise(of.scene)),
+        apparent(has_layer(of.scene.output.layers, Layer::depth) ||
+                 has_layer(of.scene.output.layers, Layer::apparent_normal)) {}
 };
 
 // A square of pixels that is rendered as one packet after the other.
@@ -94,7 +98,12 @@ void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample
                           RadianceLanes& radiance, Picture& picture) {
   SurfaceDataLanes data;
   trace(block, 0, sample, radiance, {&data});
-  for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
+  for_pixels(block, [&](int x, int y, int lane) {
+    if (block.view.apparent && data[lane].hit) {
+      set_apparent(block.view.camera.pose(0, sample, lane), data[lane]);
+    }
+    picture.set_data(x, y, data[lane]);
+  });
 }
 
 // Data layers of samples that are spread over time or the lens: no sample is the ray they hold.

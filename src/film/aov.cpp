@@ -46,6 +46,18 @@ constexpr std::array id_channels{DataChannel{"id_object.V", ChannelKind::plain, 
                                  DataChannel{"id_material.V", ChannelKind::plain, 0.0,
                                              [](Data d, Units) { return d.material + 1.0; }}};
 
+constexpr std::array depth_channels{
+    DataChannel{"depth.Z", ChannelKind::plain, infinite,
+                [](Data d, Units u) { return d.depth * u.light_speed; }}};
+
+constexpr std::array apparent_normal_channels{
+    DataChannel{"normal.X", ChannelKind::plain, 0.0,
+                [](Data d, Units) { return d.apparent_normal.x; }},
+    DataChannel{"normal.Y", ChannelKind::plain, 0.0,
+                [](Data d, Units) { return d.apparent_normal.y; }},
+    DataChannel{"normal.Z", ChannelKind::plain, 0.0,
+                [](Data d, Units) { return d.apparent_normal.z; }}};
+
 using Statistics = const SampleStatistics&;
 
 float within_float(float value) {
@@ -62,9 +74,11 @@ constexpr std::array sample_channels{
 
 constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
                            LayerInfo{Layer::z, "Z", distance_channels},
+                           LayerInfo{Layer::depth, "depth", depth_channels},
                            LayerInfo{Layer::time, "time", time_channels},
                            LayerInfo{Layer::doppler, "doppler", doppler_channels},
                            LayerInfo{Layer::normal, "N", normal_channels},
+                           LayerInfo{Layer::apparent_normal, "normal", apparent_normal_channels},
                            LayerInfo{Layer::position, "P", position_channels},
                            LayerInfo{Layer::uv, "UV", uv_channels},
                            LayerInfo{Layer::id, "id", id_channels},

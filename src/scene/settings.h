@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -76,7 +77,9 @@ enum class Layer : std::uint8_t {
   uv,
   id,
   variance,
-  samples
+  samples,
+  depth,
+  apparent_normal
 };
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab };
@@ -85,6 +88,10 @@ enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, 
 enum class ViewTransform : std::uint8_t { srgb, filmic };
 
 inline constexpr double most_stops = 64;  // of exposure, either way
+
+inline bool has_layer(const std::vector<Layer>& layers, Layer layer) {
+  return std::find(layers.begin(), layers.end(), layer) != layers.end();
+}
 
 struct OutputSettings {
   std::string path = "out/picture.####.exr";  // # stand for digits of the picture number

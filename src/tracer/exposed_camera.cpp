@@ -68,6 +68,11 @@ RESTFRAME_CLONES void ExposedCamera::rays(int exposure, const CameraSample& samp
   }
 }
 
+CameraPose ExposedCamera::pose(int exposure, const CameraSample& sample, int lane) const {
+  const Moment& opening = openings_[static_cast<std::size_t>(exposure)];
+  return is_instant_ ? opening.pose : moment_at(opening.time + sample.after_opening[lane]).pose;
+}
+
 // One boost and one projection for all lanes: only the event moves.
 void ExposedCamera::steady_rays(const Moment& opening, const CameraSample& sample,
                                 RayPacket& rays) const {

@@ -21,6 +21,9 @@ class ExposedCamera {
   // Origins, wave vectors and s_min of the rays of one sample of an exposure. Throws as pose_at.
   void rays(int exposure, const CameraSample& sample, RayPacket& rays) const;
 
+  // Where the camera is, and how it is turned, as the ray of `lane` begins.
+  CameraPose pose(int exposure, const CameraSample& sample, int lane) const;
+
  private:
   struct Moment {
     double time;
