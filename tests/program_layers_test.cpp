@@ -127,7 +127,8 @@ TEST_F(LayerFiles, ShowTheLeftEyeAndAllThatIsRendered) {
 }
 
 TEST_F(LayerFiles, OfHalfSayWhatTheyCouldNotHold) {
-  change("position = [0, 0, 4]", "position = [0, 0, 100000]\nfov = 0.001");
+  change("{radius = 1, fineness = 2}",
+         "{radius = 90000, fineness = 2}\nposition = [0, 0, -200000]");
   const RunResult result = render({"-p", "0"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.error, HasSubstr("beyond what half holds"));
