@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
+#include <functional>
 
 #include "app/option_values.h"
+#include "app/options_authoring.h"
 #include "app/version.h"
 #include "scene/error.h"
-#include "scene/file_names.h"
 #include "scene/message.h"
 #include "scene/suggest.h"
 
@@ -69,7 +69,7 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
 }
 
 struct Texts {
-  std::string pictures, size, cells, instances = "nodes", speeds, view;
+  std::string pictures, size, view;
 };
 
 CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
@@ -104,39 +104,6 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
   return command;
 }
 
-CLI::App* add_curves(CLI::App& app, CurvesOptions& curves, Texts& texts) {
-  CLI::App* command = app.add_subcommand(
-      "curves",
-      "Draw how fast a moving clock is seen to run against viewing direction (.svg, .csv)");
-  command->add_option("-o,--output", curves.output, "The drawing; the table lies beside, as .csv")
-      ->capture_default_str();
-  command->add_option("--speeds", texts.speeds, "Up to 8, in fractions of c")
-      ->default_str("0.85,0.9,0.99");
-  command->add_option("--step", curves.step, "Degrees between the table's rows, 0.001 to 90")
-      ->capture_default_str();
-  return command;
-}
-
-CLI::App* add_lattice(CLI::App& app, LatticeOptions& options, Texts& texts) {
-  CLI::App* command =
-      app.add_subcommand("lattice", "Author a lattice of balls and rods (.glb, .obj)");
-  LatticeSettings& lattice = options.lattice;
-  command->add_option("-o,--output", options.output, "The file to write: .glb or .obj")->required();
-  command->add_option("--cells", texts.cells, "Balls along x, y and z")->default_str("7x7x20");
-  command->add_option("--pitch", lattice.pitch, "Distance of neighbouring balls")
-      ->capture_default_str();
-  command->add_option("--ball", lattice.ball_radius, "Radius of the balls")->capture_default_str();
-  command->add_option("--rod", lattice.rod_radius, "Radius of the rods")->capture_default_str();
-  command->add_option("--fineness", lattice.fineness, "Times the balls' icosahedron is subdivided")
-      ->capture_default_str();
-  command
-      ->add_option("--instances", texts.instances,
-                   "nodes: a node a part; gpu: EXT_mesh_gpu_instancing; none: one flat mesh")
-      ->check(CLI::IsMember({"nodes", "gpu", "none"}))
-      ->capture_default_str();
-  return command;
-}
-
 RenderOptions completed(RenderOptions render, const Texts& texts) {
   if (!texts.pictures.empty()) render.pictures = parse_range(texts.pictures);
   if (!texts.size.empty()) {
@@ -151,25 +118,31 @@ RenderOptions completed(RenderOptions render, const Texts& texts) {
   return render;
 }
 
-LatticeOptions completed(LatticeOptions options, const Texts& texts) {
-  LatticeSettings& lattice = options.lattice;
-  if (!texts.cells.empty()) {
-    parse_sizes("--cells", texts.cells, {&lattice.cells_x, &lattice.cells_y, &lattice.cells_z});
-  }
-  if (texts.instances == "gpu") options.instances = InstanceMode::gpu;
-  if (texts.instances == "none") options.instances = InstanceMode::none;
-  return options;
+CLI::App* add_info(CLI::App& app, InfoOptions& info) {
+  CLI::App* command = app.add_subcommand("info",
+                                         "Say what a scene or an asset holds: rest frames, "
+                                         "objects; the asset as a tree, sizes, memory");
+  command->add_option("FILE", info.file, "A scene file or an asset")->required();
+  command->add_flag("--json", info.json, "As JSON, for programs; see scenes/reference.md");
+  return command;
 }
 
-CurvesOptions completed(CurvesOptions options, const Texts& texts) {
-  if (!texts.speeds.empty()) options.speeds = parse_speeds(texts.speeds);
-  if (!(options.step >= 0.001 && options.step <= 90)) {
-    throw InputError(fmt::format("--step: {} degrees, must be 0.001 to 90", options.step));
+CLI::App* add_check(CLI::App& app, CheckOptions& check) {
+  CLI::App* command =
+      app.add_subcommand("check", "List every fault of a scene or an asset, render nothing");
+  command->add_option("FILE", check.file, "A scene file or an asset")->required();
+  return command;
+}
+
+void parse(CLI::App& app, int argc, char** argv) {
+  check_first_word(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    throw HelpShown{app.exit(asked)};
+  } catch (const CLI::ParseError& error) {
+    throw InputError(fmt::format("options: {} (see restframe --help)", error.what()));
   }
-  if (lower_extension(options.output) != ".svg") {
-    throw InputError(fmt::format("--output: {} must end in .svg", quote(options.output)));
-  }
-  return options;
 }
 
 }  // namespace
@@ -185,39 +158,25 @@ Options parse_options(int argc, char** argv) {
   CheckOptions check;
   CurvesOptions curves;
   Texts texts;
-  const CLI::App* render_command = add_render(app, render, texts);
-  const CLI::App* lattice_command = add_lattice(app, lattice, texts);
-  const CLI::App* curves_command = add_curves(app, curves, texts);
-  CLI::App* info_command = app.add_subcommand("info",
-                                              "Say what a scene or an asset holds: rest frames, "
-                                              "objects; the asset as a tree, sizes, memory");
-  info_command->add_option("FILE", info.file, "A scene file or an asset")->required();
-  info_command->add_flag("--json", info.json, "As JSON, for programs; see scenes/reference.md");
-  CLI::App* check_command =
-      app.add_subcommand("check", "List every fault of a scene or an asset, render nothing");
-  check_command->add_option("FILE", check.file, "A scene file or an asset")->required();
-  for (CLI::App* command : app.get_subcommands({})) {
-    if (command != lattice_command && command != curves_command)
-      add_limits(*command, options.limits);
+  AuthoringTexts authoring;
+  struct Command {
+    CLI::App* parsed;
+    bool reads_files;
+    std::function<decltype(Options::command)()> options;
+  };
+  const Command commands[] = {
+      {add_render(app, render, texts), true, [&] { return completed(render, texts); }},
+      {add_lattice(app, lattice, authoring), false, [&] { return completed(lattice, authoring); }},
+      {add_curves(app, curves, authoring), false, [&] { return completed(curves, authoring); }},
+      {add_info(app, info), true, [&] { return info; }},
+      {add_check(app, check), true, [&] { return check; }},
+  };
+  for (const Command& command : commands) {
+    if (command.reads_files) add_limits(*command.parsed, options.limits);
   }
-  check_first_word(app, argc, argv);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    throw HelpShown{app.exit(asked)};
-  } catch (const CLI::ParseError& error) {
-    throw InputError(fmt::format("options: {} (see restframe --help)", error.what()));
-  }
-  if (app.got_subcommand(render_command)) {
-    options.command = completed(render, texts);
-  } else if (app.got_subcommand(lattice_command)) {
-    options.command = completed(lattice, texts);
-  } else if (app.got_subcommand(curves_command)) {
-    options.command = completed(curves, texts);
-  } else if (app.got_subcommand(info_command)) {
-    options.command = info;
-  } else {
-    options.command = check;
+  parse(app, argc, argv);
+  for (const Command& command : commands) {
+    if (app.got_subcommand(command.parsed)) options.command = command.options();
   }
   return options;
 }
