@@ -8,6 +8,7 @@
 
 #include "app/option_values.h"
 #include "app/options_authoring.h"
+#include "app/options_submit.h"
 #include "app/version.h"
 #include "scene/error.h"
 #include "scene/message.h"
@@ -72,9 +73,8 @@ struct Texts {
   std::string pictures, size, view;
 };
 
-CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
-  CLI::App* command =
-      app.add_subcommand("render", "Render a scene file or an asset to EXR pictures");
+// Which pictures of what, for all commands that are about pictures.
+CLI::App* add_pictures(CLI::App* command, RenderOptions& render, Texts& texts) {
   command->add_option("SCENE", render.scene, "A scene file (.toml) or an asset")->required();
   command->add_option("-o,--output", render.output,
                       "Where pictures go, # for digits of their number: out/name.####.exr");
@@ -85,17 +85,29 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
       ->add_option("--noise", render.noise,
                    "Stop where pixels are this sure, as 0.02: --samples is then the most; 0: never")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--threads", render.threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0, 1024));
   command->add_option("--variant", render.variant,
                       "The look of this name that a glTF asset comes in (KHR_materials_variants)");
-  command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
   command
       ->add_option("--exposure", render.exposure,
                    "Stops by which the .png, not the .exr, is brightened")
       ->check(CLI::Range(-most_stops, most_stops));
   command->add_option("--view", texts.view, "How the .png shows light beyond white")
       ->check(CLI::IsMember({"srgb", "filmic"}));
+  return command;
+}
+
+// How they are made.
+CLI::App* add_work(CLI::App* command, RenderOptions& render) {
+  command->add_option("--threads", render.threads, "Threads; 0: all cores")
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
+  return command;
+}
+
+CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
+  CLI::App* command =
+      app.add_subcommand("render", "Render a scene file or an asset to EXR pictures");
+  add_work(add_pictures(command, render, texts), render);
   command->add_option("--video", render.video,
                       "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");
   command->add_option("--contact-sheet", render.contact_sheet,
@@ -157,6 +169,8 @@ Options parse_options(int argc, char** argv) {
   InfoOptions info;
   CheckOptions check;
   CurvesOptions curves;
+  SubmitOptions submit;
+  StatusOptions status;
   Texts texts;
   AuthoringTexts authoring;
   struct Command {
@@ -164,8 +178,14 @@ Options parse_options(int argc, char** argv) {
     bool reads_files;
     std::function<decltype(Options::command)()> options;
   };
+  CLI::App* render_command = add_render(app, render, texts);
+  CLI::App* submit_command = add_work(add_pictures(add_submit(app, submit), render, texts), render);
+  CLI::App* status_command = add_pictures(add_status(app, status), render, texts);
   const Command commands[] = {
-      {add_render(app, render, texts), true, [&] { return completed(render, texts); }},
+      {render_command, true, [&] { return completed(render, texts); }},
+      {submit_command, true,
+       [&] { return completed(submit, completed(render, texts), *submit_command); }},
+      {status_command, true, [&] { return completed(status, completed(render, texts)); }},
       {add_lattice(app, lattice, authoring), false, [&] { return completed(lattice, authoring); }},
       {add_curves(app, curves, authoring), false, [&] { return completed(curves, authoring); }},
       {add_info(app, info), true, [&] { return info; }},
