@@ -80,7 +80,7 @@ void print_text(const Job& job, const PictureStates& states,
                       states.difference));
   }
   if (!slurm) return;
-  print(slurm->fault.empty() ? fmt::format("slurm: {} tasks run, {} wait", slurm->counts.running,
+  print(slurm->fault.empty() ? fmt::format("slurm: {} running, {} waiting", slurm->counts.running,
                                            slurm->counts.waiting)
                              : "slurm: " + slurm->fault);
 }
