@@ -120,14 +120,17 @@ kill -9 "$process"
 wait_until 20 "another task to be midway" is_midway "$requeued" "$killed"
 orphaned=$task
 kill -9 "$(awk '{ print $4 }' "/proc/$process/stat")"
-restart_slurmd "$slurm"
-echo "cluster: requeued task $requeued; killed restframe in $killed, slurmstepd of $orphaned; restarted slurmd"
+orphaned_since=$SECONDS
+echo "cluster: requeued task $requeued; killed restframe in $killed, slurmstepd of $orphaned"
 status=0
 "$program" status scene.toml >status.txt || status=$?
 [ $status -eq 3 ] || fail "restframe status: $status, must be 3 while pictures are missing"
 grep -E '^slurm: [0-9]+ running, [0-9]+ waiting$' status.txt || fail "restframe status: $(cat status.txt)"
 
-wait_until 60 "the queue to empty" queue_is_empty
+sleep $((orphaned_since + 5 - SECONDS > 0 ? orphaned_since + 5 - SECONDS : 0))
+restart_slurmd "$slurm"
+wait_until 75 "the queue to empty" queue_is_empty
+grep -q "missing from batch node" "$slurm/slurmctld.log" || fail "Slurm did not miss task $orphaned"
 reported=$(grep '^missing:' "$slurm_folder"/check-*.log) || fail "the task that was killed is not missed"
 echo "cluster: after $((SECONDS - begin)) s, by the job that checks: $reported"
 "${submit[@]}"

@@ -102,11 +102,10 @@ kill_and_wait() {
   wait "$2" 2>/dev/null || true
 }
 
-# Away for so long that slurmctld believes it when a task that it had started is missing (see BatchStartTimeout and
-# MessageTimeout in slurm.conf).
+# Slurm then misses the tasks whose processes are gone, if it had started them more than BatchStartTimeout and
+# MessageTimeout ago.
 restart_slurmd() {
   kill_and_wait TERM "${slurm_daemons[0]}"
-  sleep 5
   start_slurmd "$1"
 }
 
