@@ -26,6 +26,7 @@ First steps:
   restframe render lattice.glb              a picture of it at rest: out/lattice.0000.exr and .png
   restframe render scene.toml               an animation, as a scene file says
   restframe render scene.toml --contact-sheet sheet.png       all of it on one page
+  restframe submit --slurm scene.toml       the same by a cluster; restframe status scene.toml
   restframe curves                          how fast clocks are seen to run: out/curves.svg
 
 A scene file of four lines:

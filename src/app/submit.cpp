@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 fs::path this_program() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) throw OutputError("/proc/self/exe: " + error.message());
   return program;
 }
