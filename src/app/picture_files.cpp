@@ -42,35 +42,24 @@ std::string first_difference(const std::string& before, const std::string& now) 
   }
 }
 
-enum class Found { nothing_of_use, the_same, another };
-
-struct ExistingPicture {
-  Found found = Found::nothing_of_use;
-  std::string difference;
-};
-
 ExistingPicture compare_with(const std::filesystem::path& path, const std::string& settings,
                              const std::string& sources) {
   const std::string old_settings = exr_text(path, settings_attribute);
   if (old_settings.empty()) return {};
   std::string difference = first_difference(old_settings, settings);
   if (difference.empty()) difference = first_difference(exr_text(path, sources_attribute), sources);
-  if (difference.empty()) return {Found::the_same, {}};
-  return {Found::another, difference};
+  if (difference.empty()) return {Found::the_same, {}, {}};
+  return {Found::another, difference, path};
 }
 
 // Of all files of a picture.
 ExistingPicture compare_with(const PictureFiles& files, const std::string& settings,
                              const std::string& sources) {
-  ExistingPicture whole{Found::the_same, {}};
+  ExistingPicture whole{Found::the_same, {}, {}};
   for (const LayerFile& image : files.images) {
     ExistingPicture existing = compare_with(image.path, settings, sources);
-    if (existing.found == Found::another) {
-      existing.difference =
-          fmt::format("{}: was made from another scene ({}); --overwrite replaces it",
-                      image.path.string(), existing.difference);
-      return existing;
-    }
+    existing.path = image.path;
+    if (existing.found == Found::another) return existing;
     if (existing.found == Found::nothing_of_use) whole = existing;
   }
   return whole;
@@ -140,10 +129,24 @@ std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool 
     const PictureFiles files = picture_files(scene, number, first == last);
     const ExistingPicture existing =
         overwrite ? ExistingPicture{} : compare_with(files, settings, sources);
-    if (existing.found == Found::another) throw InputError(existing.difference);
+    if (existing.found == Found::another) {
+      throw InputError(fmt::format("{}: was made from another scene ({}); --overwrite replaces it",
+                                   existing.path.string(), existing.difference));
+    }
     if (existing.found == Found::nothing_of_use) numbers.push_back(number);
   }
   return numbers;
+}
+
+std::vector<ExistingPicture> existing_pictures(const Scene& scene, int first, int last) {
+  const std::string settings = canonical_settings(scene);
+  const std::string sources = sources_text(scene);
+  std::vector<ExistingPicture> pictures;
+  for (int number = first; number <= last; ++number) {
+    pictures.push_back(
+        compare_with(picture_files(scene, number, first == last), settings, sources));
+  }
+  return pictures;
 }
 
 PictureInfo common_info(const Scene& scene) {
