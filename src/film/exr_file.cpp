@@ -194,6 +194,7 @@ void encode(const FileContent& content, MemoryStream& stream) {
     return;
   }
   std::vector<Imf::Header> headers;
+  headers.reserve(parts.size());
   for (const Part& part : parts) headers.push_back(part.header);
   const int count = static_cast<int>(parts.size());
   Imf::MultiPartOutputFile file(stream, headers.data(), count);
