@@ -133,6 +133,14 @@ void add_texture(Listing& list, const Texture& t, const std::string& key) {
                             static_cast<int>(t.shrunken_filter), static_cast<int>(t.mip_filter)));
 }
 
+std::string part_names_digest(const Object& object) {
+  Digest names;
+  for (const std::string& name : object.part_names)
+    names.add(std::span(name.c_str(), name.size() + 1));
+  for (const PlacedMesh& part : object.parts) names.add(std::span(&part.name, 1));
+  return names.hex();
+}
+
 void add_object(Listing& list, const Object& object, const std::string& key) {
   list.add(key + ".name", object.name);
   add_worldline(list, key, object.worldline);
@@ -143,6 +151,11 @@ void add_object(Listing& list, const Object& object, const std::string& key) {
     parts.add(std::span(&part.object_from_mesh, 1));
   }
   list.add(key + ".parts", fmt::format("{} {}", object.parts.size(), parts.hex()));
+  if (!object.whole.empty()) list.add(key + ".whole", object.whole);
+  if (!object.part_names.empty()) {
+    list.add(key + ".part_names",
+             fmt::format("{} {}", object.part_names.size(), part_names_digest(object)));
+  }
   std::string materials;
   for (const int m : object.materials) materials += fmt::format("{} ", m);
   list.add(key + ".materials", materials);
