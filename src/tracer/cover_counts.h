@@ -25,32 +25,41 @@ struct MatteIds {
 
 struct Cover {
   std::uint32_t id = 0;
-  double weight = 0;  // in samples
+  double weight = 0;  // in samples, as far as it was counted ...
+  double most = 0;    // ... and at most: of what was met before
 };
 
-// The covers of one pixel. They come in one order whatever the threads, so it always keeps the same.
-// If there are more than fit, the smallest so far makes place for the next new one: its weight is
-// lost, and missing from the sum. What covers much is met again and again, and stays.
+// The covers of one pixel, exactly if they are few. Of more ids than fit, the one of least `most` makes
+// place for a new one, which may have been here before, with that much (the space-saving algorithm:
+// Metwally, Agrawal and El Abbadi 2005). So no id misses more than 1/capacity of what covers the
+// pixel, none has too much, and all that cover more than that are there. Samples come in one order
+// whatever the threads: the same are always lost.
 class CoverTable {
  public:
   static constexpr std::size_t capacity = 32;
 
   void clear() { size_ = 0; }
   void add(std::uint32_t id, float weight) {
+    const auto more = static_cast<double>(weight);
     for (std::size_t i = 0; i < size_; ++i) {
       if (covers_[i].id != id) continue;
-      covers_[i].weight += static_cast<double>(weight);
+      covers_[i].weight += more;
+      covers_[i].most += more;
       return;
     }
-    Cover& place = size_ < capacity ? covers_[size_++] : smallest();
-    place = {id, static_cast<double>(weight)};
+    if (size_ < capacity) {
+      covers_[size_++] = {id, more, more};
+    } else {
+      Cover& least = least_cover();
+      least = {id, more, least.most + more};
+    }
   }
   std::span<const Cover> covers() const { return {covers_.data(), size_}; }
 
  private:
-  Cover& smallest() {
+  Cover& least_cover() {
     return *std::min_element(covers_.begin(), covers_.end(),
-                             [](const Cover& a, const Cover& b) { return a.weight < b.weight; });
+                             [](const Cover& a, const Cover& b) { return a.most < b.most; });
   }
 
   std::array<Cover, capacity> covers_;
