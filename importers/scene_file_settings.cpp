@@ -10,16 +10,27 @@ namespace restframe {
 namespace {
 
 // In the order of the enumerations Layer and Compression.
-const std::vector<std::string> layer_names = {"beauty",   "Z",       "time",  "doppler",
-                                              "N",        "P",       "UV",    "id",
-                                              "variance", "samples", "depth", "normal"};
+const std::vector<std::string> layer_names = {"beauty",
+                                              "Z",
+                                              "time",
+                                              "doppler",
+                                              "N",
+                                              "P",
+                                              "UV",
+                                              "id",
+                                              "variance",
+                                              "samples",
+                                              "depth",
+                                              "normal",
+                                              "crypto_object",
+                                              "crypto_material",
+                                              "crypto_asset"};
 const std::vector<std::string> compression_names = {"none",  "rle",  "zips", "zip", "piz",
                                                     "pxr24", "dwaa", "dwab", "b44", "b44a"};
 
 bool is_later_layer(const std::string& name) {
   static const std::vector<std::string> later = {
-      "motion",     "albedo",       "direct",        "indirect",        "emission",
-      "reflection", "transmission", "crypto_object", "crypto_material", "crypto_asset"};
+      "motion", "albedo", "direct", "indirect", "emission", "reflection", "transmission"};
   return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
 }
 

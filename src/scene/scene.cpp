@@ -81,7 +81,7 @@ void check_pixel_types(const OutputSettings& output, Faults& faults) {
   }
   for (const Layer layer : output.half_layers) {
     if (needs_float(layer)) {
-      faults.emplace_back("output: half can not hold the layers \"time\" and \"id\"");
+      faults.emplace_back("output: half can not hold the layers \"time\", \"id\" and Cryptomattes");
     }
     if (has_layer(output.float_layers, layer)) {
       faults.emplace_back("output: a layer can not be both half and float");
@@ -147,6 +147,10 @@ void check_parts(const Scene& scene, const Object& object, const std::string& na
       faults.push_back(
           fmt::format("{} refers to mesh {} of {}", name, part.mesh, scene.meshes.size()));
       continue;
+    }
+    if (part.name < -1 || part.name >= static_cast<int>(object.part_names.size())) {
+      faults.push_back(
+          fmt::format("{}: a part has name {} of {}", name, part.name, object.part_names.size()));
     }
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
     if (checked.insert(part.mesh).second) check_slots(object, mesh, name, faults);

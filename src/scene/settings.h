@@ -100,7 +100,10 @@ enum class Layer : std::uint8_t {
   variance,
   samples,
   depth,
-  apparent_normal
+  apparent_normal,
+  crypto_object,
+  crypto_material,
+  crypto_asset
 };
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab, b44, b44a };
@@ -108,9 +111,14 @@ enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, 
 inline constexpr double most_compression_level =
     10'000;  // of DWAA and DWAB; OpenEXR's default is 45
 
+inline bool is_matte(Layer layer) {
+  return layer == Layer::crypto_object || layer == Layer::crypto_material ||
+         layer == Layer::crypto_asset;
+}
+
 // Half would lose what these layers are for.
 inline bool needs_float(Layer layer) {
-  return layer == Layer::time || layer == Layer::id;
+  return layer == Layer::time || layer == Layer::id || is_matte(layer);
 }
 
 // How a preview shows linear light: as it is up to white, or along a film's curve.
