@@ -26,4 +26,8 @@ using NextInput = std::function<std::string()>;
 ChildResult run_child(const std::filesystem::path& program,
                       const std::vector<std::string>& arguments, const NextInput& next_input);
 
+// Ends the program that run_child() runs, and what it started, without a word: for a process that is
+// about to end itself.
+void kill_running_child();
+
 }  // namespace restframe

@@ -34,6 +34,7 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
   CameraSampler::Starts starts;
   sampler.start(id, starts);
   for (int index = 0; index < samples; ++index) {
+    if (interrupt_requested()) throw Interrupted();
     id.sample = first + static_cast<std::uint32_t>(index);
     CameraSample sample;
     sampler.take(block.pixels, starts, index, sample);
@@ -72,7 +73,6 @@ void render_block(Block<Tracer>&& block, Picture& picture) {
   const int exposures = picture.has_beauty() ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
-    if (interrupt_requested()) throw Interrupted();
     RadianceLanes sum;
     render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
     total.add(sum, 1.0F / static_cast<float>(samples));
