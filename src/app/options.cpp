@@ -78,7 +78,8 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
   command->add_option("SCENE", render.scene, "A scene file (.toml) or an asset")->required();
   command->add_option("-o,--output", render.output,
                       "Where pictures go, # for digits of their number: out/name.####.exr");
-  command->add_option("-p,--pictures", texts.pictures, "Only these: 7, or 0-119");
+  command->add_option("-p,--pictures", texts.pictures,
+                      "Only these: 7, or 0-119, or 0-999:10, or several: 0-9,50");
   command->add_option("--size", texts.size, "Width and height in pixels: 640x360");
   command->add_option("--samples", render.samples, "Samples a pixel")->check(CLI::Range(1, 65536));
   command
@@ -138,7 +139,7 @@ CLI::App* add_lattice(CLI::App& app, LatticeOptions& options, Texts& texts) {
 }
 
 RenderOptions completed(RenderOptions render, const Texts& texts) {
-  if (!texts.pictures.empty()) render.pictures = parse_range(texts.pictures);
+  if (!texts.pictures.empty()) render.pictures = parse_pictures(texts.pictures);
   if (!texts.size.empty()) {
     int width = 0;
     int height = 0;

@@ -11,15 +11,16 @@
 
 namespace restframe {
 
+// The pictures first, first + step, ... up to last.
 struct PictureRange {
-  int first = 0, last = 0;  // inclusive
+  int first = 0, last = 0, step = 1;
 };
 
 struct RenderOptions {
   std::string scene;
   std::optional<std::string> output;
   std::optional<std::string> variant;  // of an asset that is rendered without a scene file
-  std::optional<PictureRange> pictures;
+  std::vector<PictureRange> pictures;  // none: all
   std::optional<int> width, height, samples;
   std::optional<double> noise;
   std::optional<double> exposure;  // of the previews

@@ -3,64 +3,22 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/job.h"
 #include "app/messages.h"
 #include "app/picture_files.h"
 #include "app/picture_writer.h"
 #include "app/progress.h"
 #include "app/render_picture.h"
+#include "app/resume.h"
 #include "app/showing.h"
-#include "app/signals.h"
-#include "scene/error.h"
-#include "scene/framing.h"
 #include "scene/parallel.h"
 
 namespace restframe {
 namespace {
 
-void apply(const RenderOptions& options, Scene& scene) {
-  if (options.output) scene.output.path = *options.output;
-  if (options.width) scene.render.width = *options.width;
-  if (options.height) scene.render.height = *options.height;
-  if (options.samples) scene.render.samples = *options.samples;
-  if (options.noise) scene.render.noise = *options.noise;
-  if (options.exposure) scene.output.exposure = *options.exposure;
-  if (options.view) scene.output.view = *options.view;
-  if (wants_show(options)) scene.output.preview = true;  // it is made of the previews
-}
-
-PictureRange range_of(const RenderOptions& options, const AnimationSettings& animation) {
-  const PictureRange all{0, animation.pictures - 1};
-  if (!options.pictures) return all;
-  if (options.pictures->last > all.last) {
-    throw InputError(fmt::format("--pictures: there is no picture {}; the last one is {}",
-                                 options.pictures->last, all.last));
-  }
-  return *options.pictures;
-}
-
-struct Job {
-  Scene scene;
-  PictureRange range;
-  bool single() const { return range.first == range.last; }
-};
-
-Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
-  Scene scene = loaded_scene(options.scene, limits, options.variant);
-  apply(options, scene);
-  const PictureRange range = range_of(options, scene.animation);
-  Job job{std::move(scene), range};
-  // A single picture needs no number in its name.
-  if (job.single()) job.scene.animation.pictures = 1;
-  throw_faults(job.scene, options.scene);
-  if (!job.scene.camera_given) {
-    job.scene.camera = framing_camera(job.scene, job.scene.animation.start);
-  }
-  return job;
-}
-
-void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool single, bool quiet,
-                     int threads) {
-  const FrameSet frames(scene, threads);
+void render_pictures(const Job& job, const std::vector<int>& numbers, bool quiet) {
+  const Scene& scene = job.scene;
+  const FrameSet frames(scene, thread_count());
   const Integrator integrator = make_integrator(scene, frames);
   EvaluatorPool evaluators(scene.functions);
   Progress progress(numbers.size(),
@@ -77,8 +35,7 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
   std::size_t current = 0;
   for (const int number : numbers) {
     render_picture(context, number, pictures[current]);
-    writer.write(picture_path(scene.output.path, number, single), pictures[current],
-                 picture_info(common, scene, number));
+    writer.write(job.path(number), pictures[current], picture_info(common, scene, number));
     progress.picture_done();
     if (pictures[current].shows_nothing()) ++empty;
     current = (current + 1) % pictures.size();
@@ -99,13 +56,11 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
 }
 
 void print_result(const Job& job, std::size_t made) {
-  const auto count = static_cast<std::size_t>(job.range.last - job.range.first + 1);
-  const auto path = [&](int number) {
-    return picture_path(job.scene.output.path, number, job.single()).string();
-  };
+  const std::size_t count = job.numbers.size();
+  const std::string first = job.path(job.numbers.front()).string();
   fmt::print("{} of {} pictures made{}: {}{}{}\n", made, count,
-             made < count ? fmt::format(", {} were there already", count - made) : "",
-             path(job.range.first), job.single() ? "" : " to " + path(job.range.last),
+             made < count ? fmt::format(", {} were there already", count - made) : "", first,
+             count == 1 ? "" : " to " + job.path(job.numbers.back()).string(),
              job.scene.output.preview ? ", a .png beside each" : "");
 }
 
@@ -114,15 +69,12 @@ void print_result(const Job& job, std::size_t made) {
 int render(const RenderOptions& options, const ImportLimits& limits) {
   set_thread_count(options.threads);
   const Job job = loaded_job(options, limits);
-  const auto& [scene, range] = job;
-  const std::vector<int> numbers =
-      pictures_to_make(scene, range.first, range.last, options.overwrite);
-  const Show show = planned_show(options, scene, range, numbers);
-  if (!numbers.empty()) {
-    render_pictures(scene, numbers, job.single(), options.quiet, thread_count());
-  }
+  const std::vector<int> numbers = pictures_to_make(job, options.overwrite);
+  const Show show = planned_show(options, job);
+  prepare_folders(job, numbers);
+  if (!numbers.empty()) render_pictures(job, numbers, options.quiet);
   if (!options.quiet) print_result(job, numbers.size());
-  make_show(show, scene);
+  make_show(show, job.scene);
   return 0;
 }
 
