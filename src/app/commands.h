@@ -15,6 +15,7 @@ Scene loaded_scene(const std::string& file, const ImportLimits& limits,
 void throw_faults(const Scene& scene, const std::string& file);
 
 int render(const RenderOptions& options, const ImportLimits& limits);
+int merge(const MergeOptions& options, const ImportLimits& limits);
 int author_lattice(const LatticeOptions& options);
 int info(const InfoOptions& options, const ImportLimits& limits);
 int check(const CheckOptions& options, const ImportLimits& limits);

@@ -62,4 +62,13 @@ Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
   return job;
 }
 
+void print_result(const Job& job, std::size_t made) {
+  const std::size_t count = job.numbers.size();
+  const std::string first = job.path(job.numbers.front()).string();
+  fmt::print("{} of {} pictures made{}: {}{}{}\n", made, count,
+             made < count ? fmt::format(", {} were there already", count - made) : "", first,
+             count == 1 ? "" : " to " + job.path(job.numbers.back()).string(),
+             job.scene.output.preview ? ", a .png beside each" : "");
+}
+
 }  // namespace restframe

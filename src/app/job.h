@@ -20,4 +20,7 @@ struct Job {
 // Throws InputError.
 Job loaded_job(const RenderOptions& options, const ImportLimits& limits);
 
+// The closing line: of the job's pictures, so many were made now.
+void print_result(const Job& job, std::size_t made);
+
 }  // namespace restframe

@@ -64,6 +64,18 @@ std::vector<PictureRange> parse_pictures(const std::string& text) {
   return ranges;
 }
 
+TileShare parse_share(const std::string& text) {
+  const std::string marked = "/" + text;
+  std::string_view rest = marked;
+  TileShare share;
+  if (!read_after('/', rest, share.part) || !read_after('/', rest, share.count) || !rest.empty() ||
+      !is_share(share)) {
+    throw InputError(fmt::format("--tile: {} is not PART/PARTS, as 3/16, with up to {} parts",
+                                 quote(text), most_shares));
+  }
+  return share;
+}
+
 std::vector<double> parse_speeds(const std::string& text) {
   std::vector<double> speeds;
   const char* end = text.data() + text.size();

@@ -50,6 +50,17 @@ void check_first_word(const CLI::App& app, int argc, char** argv) {
                   quote(argv[1]), fmt::join(known, ", "), nearest(argv[1], known)));
 }
 
+void parse(CLI::App& app, int argc, char** argv) {
+  check_first_word(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    throw HelpShown{app.exit(asked)};
+  } catch (const CLI::ParseError& error) {
+    throw InputError(fmt::format("options: {} (see restframe --help)", error.what()));
+  }
+}
+
 void add_limits(CLI::App& command, ImportLimits& limits) {
   const auto add = [&](const char* name, auto& limit, const char* what) {
     return command.add_option(name, limit, what)
@@ -69,39 +80,60 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
 }
 
 struct Texts {
-  std::string pictures, size, cells, instances = "nodes", speeds, view;
+  std::string pictures, tile, size, cells, instances = "nodes", speeds, view;
 };
 
-CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
-  CLI::App* command =
-      app.add_subcommand("render", "Render a scene file or an asset to EXR pictures");
-  command->add_option("SCENE", render.scene, "A scene file (.toml) or an asset")->required();
-  command->add_option("-o,--output", render.output,
-                      "Where pictures go, # for digits of their number: out/name.####.exr");
-  command->add_option("-p,--pictures", texts.pictures,
-                      "Only these: 7, or 0-119, or 0-999:10, or several: 0-9,50");
-  command->add_option("--size", texts.size, "Width and height in pixels: 640x360");
-  command->add_option("--samples", render.samples, "Samples a pixel")->check(CLI::Range(1, 65536));
+// What says which pictures of which scene, and what is made of them in the end.
+void add_picture_options(CLI::App& command, RenderOptions& render, Texts& texts) {
+  command.add_option("SCENE", render.scene, "A scene file (.toml) or an asset")->required();
+  command.add_option("-o,--output", render.output,
+                     "Where pictures go, # for digits of their number: out/name.####.exr");
+  command.add_option("-p,--pictures", texts.pictures,
+                     "Only these: 7, or 0-119, or 0-999:10, or several: 0-9,50");
+  command.add_option("--size", texts.size, "Width and height in pixels: 640x360");
+  command.add_option("--samples", render.samples, "Samples a pixel")->check(CLI::Range(1, 65536));
   command
-      ->add_option("--noise", render.noise,
-                   "Stop where pixels are this sure, as 0.02: --samples is then the most; 0: never")
+      .add_option("--noise", render.noise,
+                  "Stop where pixels are this sure, as 0.02: --samples is then the most; 0: never")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--threads", render.threads, "Threads; 0: all cores")
+  command.add_option("--threads", render.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 1024));
-  command->add_option("--variant", render.variant,
-                      "The look of this name that a glTF asset comes in (KHR_materials_variants)");
-  command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
+  command.add_option("--variant", render.variant,
+                     "The look of this name that a glTF asset comes in (KHR_materials_variants)");
+  command.add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
   command
-      ->add_option("--exposure", render.exposure,
-                   "Stops by which the .png, not the .exr, is brightened")
+      .add_option("--exposure", render.exposure,
+                  "Stops by which the .png, not the .exr, is brightened")
       ->check(CLI::Range(-most_stops, most_stops));
-  command->add_option("--view", texts.view, "How the .png shows light beyond white")
+  command.add_option("--view", texts.view, "How the .png shows light beyond white")
       ->check(CLI::IsMember({"srgb", "filmic"}));
-  command->add_option("--video", render.video,
-                      "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");
-  command->add_option("--contact-sheet", render.contact_sheet,
-                      "Then all the pictures, small, on one: FILE.png");
-  command->add_flag("-q,--quiet", render.quiet, "No progress bar, no closing line");
+  command.add_option("--video", render.video,
+                     "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");
+  command.add_option("--contact-sheet", render.contact_sheet,
+                     "Then all the pictures, small, on one: FILE.png");
+  command.add_flag("-q,--quiet", render.quiet, "No progress bar, no closing line");
+}
+
+CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
+  CLI::App* command = app.add_subcommand(
+      "render", "Render a scene file or an asset to EXR pictures; again: what is missing of them");
+  add_picture_options(*command, render, texts);
+  command->add_option("--tile", texts.tile,
+                      "Only one share of each picture, 3/16: a .part file for `restframe merge`");
+  command
+      ->add_option("--checkpoint", render.checkpoint,
+                   "Seconds after which, again and again, a .part file keeps what is done of a "
+                   "picture; 0: never")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6).description(""));
+  return command;
+}
+
+CLI::App* add_merge(CLI::App& app, MergeOptions& merge, Texts& texts) {
+  CLI::App* command = app.add_subcommand(
+      "merge", "Join what `restframe render --tile` made; with the same options");
+  add_picture_options(*command, merge.render, texts);
+  command->add_flag("--keep", merge.keep, "Keep the .part files");
   return command;
 }
 
@@ -140,6 +172,7 @@ CLI::App* add_lattice(CLI::App& app, LatticeOptions& options, Texts& texts) {
 
 RenderOptions completed(RenderOptions render, const Texts& texts) {
   if (!texts.pictures.empty()) render.pictures = parse_pictures(texts.pictures);
+  if (!texts.tile.empty()) render.tile = parse_share(texts.tile);
   if (!texts.size.empty()) {
     int width = 0;
     int height = 0;
@@ -181,12 +214,14 @@ Options parse_options(int argc, char** argv) {
   app.require_subcommand(1);
   Options options;
   RenderOptions render;
+  MergeOptions merge;
   LatticeOptions lattice;
   InfoOptions info;
   CheckOptions check;
   CurvesOptions curves;
   Texts texts;
   const CLI::App* render_command = add_render(app, render, texts);
+  const CLI::App* merge_command = add_merge(app, merge, texts);
   const CLI::App* lattice_command = add_lattice(app, lattice, texts);
   const CLI::App* curves_command = add_curves(app, curves, texts);
   CLI::App* info_command = app.add_subcommand("info",
@@ -201,16 +236,11 @@ Options parse_options(int argc, char** argv) {
     if (command != lattice_command && command != curves_command)
       add_limits(*command, options.limits);
   }
-  check_first_word(app, argc, argv);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    throw HelpShown{app.exit(asked)};
-  } catch (const CLI::ParseError& error) {
-    throw InputError(fmt::format("options: {} (see restframe --help)", error.what()));
-  }
+  parse(app, argc, argv);
   if (app.got_subcommand(render_command)) {
     options.command = completed(render, texts);
+  } else if (app.got_subcommand(merge_command)) {
+    options.command = MergeOptions{completed(merge.render, texts), merge.keep};
   } else if (app.got_subcommand(lattice_command)) {
     options.command = completed(lattice, texts);
   } else if (app.got_subcommand(curves_command)) {

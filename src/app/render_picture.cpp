@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/measured_block.h"
 #include "app/render_block.h"
@@ -149,16 +150,25 @@ std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
   return tiles;
 }
 
-void render_picture(const RenderContext& context, int number, Picture& picture) {
+void render_tiles(const RenderContext& context, int number, std::span<const std::size_t> tiles,
+                  Picture& picture, TileMarks& done) {
   const PictureView view(context, number, picture.window());
-  const std::vector<PixelWindow> tiles = picture_tiles(picture.window());
+  const std::vector<PixelWindow> windows = picture_tiles(picture.window());
   std::visit(
       [&](const auto& integrator) {
-        parallel_for(tiles.size(), [&](std::size_t tile) {
-          render_tile(view, integrator, tiles[tile], picture);
+        parallel_for(tiles.size(), [&](std::size_t i) {
+          render_tile(view, integrator, windows[tiles[i]], picture);
+          done.mark(tiles[i]);
         });
       },
       context.integrator);
+}
+
+void render_picture(const RenderContext& context, int number, Picture& picture) {
+  TileMarks done(picture_tiles(picture.window()).size());
+  std::vector<std::size_t> all(done.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  render_tiles(context, number, all, picture, done);
 }
 
 }  // namespace restframe

@@ -4,13 +4,11 @@
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <fmt/format.h>
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include <cstring>
 #include <fstream>
 #include <string_view>
+
+#include "film/byte_sum.h"
 
 namespace restframe {
 namespace {
@@ -22,16 +20,6 @@ std::string seal_start() {
   using namespace std::string_literals;
   return seal_attribute + "\0string\0\x10\0\0\0"s;
 }
-
-class Sum {
- public:
-  Sum() { XXH3_64bits_reset(&state_); }
-  void add(std::string_view bytes) { XXH3_64bits_update(&state_, bytes.data(), bytes.size()); }
-  std::string hex() const { return fmt::format("{:016x}", XXH3_64bits_digest(&state_)); }
-
- private:
-  XXH3_state_t state_;
-};
 
 // Appends up to a piece; returns false at the end of the file.
 bool read_piece(std::ifstream& file, std::string& bytes) {
@@ -63,9 +51,9 @@ bool is_as_written(const std::filesystem::path& path) {
   if (!at) return false;
   const std::string seal = bytes.substr(*at, digits);
   bytes.replace(*at, digits, no_seal);
-  Sum sum;
+  ByteSum sum;
   do {
-    sum.add(bytes);
+    sum.add(bytes.data(), bytes.size());
     bytes.clear();
   } while (read_piece(file, bytes));
   return sum.hex() == seal;
@@ -91,8 +79,8 @@ void seal_exr(std::span<std::byte> file) {
   const std::string start = seal_start();
   const std::size_t at = bytes.find(start + no_seal);
   if (at == std::string_view::npos) return;
-  Sum sum;
-  sum.add(bytes);
+  ByteSum sum;
+  sum.add(bytes.data(), bytes.size());
   std::memcpy(file.data() + at + start.size(), sum.hex().data(), digits);
 }
 
