@@ -19,6 +19,8 @@ int merge(const MergeOptions& options, const ImportLimits& limits);
 int author_lattice(const LatticeOptions& options);
 int info(const InfoOptions& options, const ImportLimits& limits);
 int check(const CheckOptions& options, const ImportLimits& limits);
+int submit(const SubmitOptions& options, const ImportLimits& limits);
+int status(const StatusOptions& options, const ImportLimits& limits);
 int curves(const CurvesOptions& options);
 
 }  // namespace restframe

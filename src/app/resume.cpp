@@ -37,8 +37,7 @@ bool has_previews(const Scene& scene) {
          std::find(layers.begin(), layers.end(), Layer::beauty) != layers.end();
 }
 
-std::vector<int> pictures_to_make(const Job& job, bool overwrite) {
-  if (overwrite) return job.numbers;
+std::vector<FoundPicture> find_pictures(const Job& job) {
   const Provenance now = provenance_of(job.scene);
   std::vector<FoundPicture> found(job.numbers.size());
   parallel_for(found.size(), [&](std::size_t i) {
@@ -46,6 +45,12 @@ std::vector<int> pictures_to_make(const Job& job, bool overwrite) {
     const int number = job.numbers[i];
     found[i] = find_picture(job.path(number), number, now, has_previews(job.scene));
   });
+  return found;
+}
+
+std::vector<int> pictures_to_make(const Job& job, bool overwrite) {
+  if (overwrite) return job.numbers;
+  const std::vector<FoundPicture> found = find_pictures(job);
   std::vector<int> numbers;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const int number = job.numbers[i];

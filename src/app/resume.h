@@ -27,6 +27,9 @@ FoundPicture find_picture(const std::filesystem::path& path, int number, const P
 // Whether a PNG goes beside each picture.
 bool has_previews(const Scene& scene);
 
+// Of each of the job's pictures. Throws Interrupted.
+std::vector<FoundPicture> find_pictures(const Job& job);
+
 // Those of the job's pictures that are not finished. A whole picture of another scene is an InputError
 // that says what differs; `overwrite` makes all again. Throws Interrupted.
 std::vector<int> pictures_to_make(const Job& job, bool overwrite);
