@@ -47,6 +47,7 @@ PictureInfo common_info(const Scene& scene) {
                 {"samples", std::to_string(scene.render.samples)},
                 {"seed", std::to_string(scene.render.seed)}};
   for (auto& text : texts_of(provenance_of(scene))) info.texts.push_back(std::move(text));
+  for (auto& text : cryptomatte_texts(scene)) info.texts.push_back(std::move(text));
   return info;
 }
 
