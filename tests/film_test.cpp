@@ -283,20 +283,6 @@ TEST(Exr, TheHeaderSaysWhatMadeIt) {
   }
 }
 
-TEST(Exr, ATextIsReadBackFromACompleteFileOnly) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "picture.exr";
-  PictureInfo info;
-  info.texts = {{"note", "here"}};
-  write_exr(path, one_row({Vec4f(0.5F)}), info);
-  EXPECT_EQ(exr_text(path, "note"), "here");
-  EXPECT_EQ(exr_text(path, "other"), "");
-  EXPECT_EQ(exr_text(folder.path() / "none.exr", "note"), "");
-  EXPECT_EQ(exr_text(folder.path(), "note"), "");
-  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
-  EXPECT_EQ(exr_text(path, "note"), "");
-}
-
 TEST(Exr, AFolderThatIsNotThereIsAnOutputError) {
   const TemporaryFolder folder;
   folder.write("file", "x");

@@ -138,7 +138,7 @@ TEST_F(Submit, TellsSbatchWhereLogsGoAndWhatToWaitFor) {
   EXPECT_THAT(result.out, HasSubstr("array 77: 7 pictures of 0-6 in 2 tasks of 4; then job 78"));
   std::string logs = job_.path(kFolder).string();
   for (std::size_t at = 0; (at = logs.find('%', at)) != std::string::npos; at += 2) {
-    logs.insert(at, "%");
+    logs.insert(at, 1, '%');
   }
   const std::string folder = job_.path(kFolder).string();
   EXPECT_EQ(job_.content("calls.txt"), "--parsable\n--output=" + logs + "/%A_%a.log\n" + folder +
@@ -162,6 +162,13 @@ TEST_F(Submit, LeavesOutWhatIsThere) {
   ASSERT_EQ(submit({"--overwrite", "--chunk", "2"}).exit_code, 0);
   EXPECT_THAT(directives(job_.content(kRenderScript)), testing::Contains("--array=0-3"));
   EXPECT_THAT(job_.content(kRenderScript), HasSubstr("\"$first-$last\" --overwrite\n"));
+  ASSERT_EQ(submit({"--pictures", "0-6:3", "--chunk", "2", "--overwrite"}).exit_code, 0);
+  EXPECT_THAT(directives(job_.content(kRenderScript)), testing::Contains("--array=0-1"));
+  EXPECT_THAT(
+      job_.content(kRenderScript),
+      testing::AllOf(HasSubstr("first=$((0 + SLURM_ARRAY_TASK_ID * 6))\nlast=$((first + 3))"),
+                     HasSubstr("--pictures=\"$first-$last:3\"")));
+  expect_error(submit({"--pictures", "3,4,6"}), 2, {"--pictures"});
   fs::remove(job_.path("calls.txt"));
   const RunResult nothing = submit({"--pictures", "0-2"});
   EXPECT_EQ(nothing.exit_code, 0);

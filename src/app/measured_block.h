@@ -71,6 +71,7 @@ struct MeasuredBlock {
   // The samples [first, end) of an exposure.
   void take(int number, int first, int end) {
     for (int sample = first; sample < end; ++sample) {
+      if (interrupt_requested()) throw Interrupted();
       block.id.replicate = static_cast<std::uint32_t>(sample % replicate_count);
       block.id.sample = (static_cast<std::uint32_t>(number) << bits_) |
                         static_cast<std::uint32_t>(sample / replicate_count);
@@ -89,10 +90,7 @@ struct MeasuredBlock {
     const double wanted = block.view.context.scene.render.noise;
     for (int samples = 0; samples < most_samples();) {
       const int end = samples_after_batch(samples, most_samples());
-      for (int number = 0; number < exposure().count; ++number) {
-        if (interrupt_requested()) throw Interrupted();
-        take(number, samples, end);
-      }
+      for (int number = 0; number < exposure().count; ++number) take(number, samples, end);
       samples = end;
       if (wanted > 0.0 && replicates.noise(judged) <= wanted) break;
     }

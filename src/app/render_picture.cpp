@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/measured_block.h"
 #include "app/render_block.h"
@@ -34,6 +35,7 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
   CameraSampler::Starts starts;
   sampler.start(id, starts);
   for (int index = 0; index < samples; ++index) {
+    if (interrupt_requested()) throw Interrupted();
     id.sample = first + static_cast<std::uint32_t>(index);
     CameraSample sample;
     sampler.take(block.pixels, starts, index, sample);
@@ -73,7 +75,6 @@ void render_block(Block<Tracer>& block, Picture& picture) {
   const int exposures = all_samples ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
-    if (interrupt_requested()) throw Interrupted();
     RadianceLanes sum;
     render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
     total.add(sum, 1.0F / static_cast<float>(samples));
@@ -159,16 +160,25 @@ std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
   return tiles;
 }
 
-void render_picture(const RenderContext& context, int number, Picture& picture, Eye eye) {
+void render_tiles(const RenderContext& context, int number, std::span<const std::size_t> tiles,
+                  Picture& picture, TileMarks& done, Eye eye) {
   const PictureView view(context, number, picture.window(), eye);
-  const std::vector<PixelWindow> tiles = picture_tiles(picture.window());
+  const std::vector<PixelWindow> windows = picture_tiles(picture.window());
   std::visit(
       [&](const auto& integrator) {
-        parallel_for(tiles.size(), [&](std::size_t tile) {
-          render_tile(view, integrator, tiles[tile], picture);
+        parallel_for(tiles.size(), [&](std::size_t i) {
+          render_tile(view, integrator, windows[tiles[i]], picture);
+          done.mark(tiles[i]);
         });
       },
       context.integrator);
+}
+
+void render_picture(const RenderContext& context, int number, Picture& picture, Eye eye) {
+  TileMarks done(picture_tiles(picture.window()).size());
+  std::vector<std::size_t> all(done.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  render_tiles(context, number, all, picture, done, eye);
 }
 
 void render_views(const RenderContext& context, int number, std::vector<Picture>& views) {

@@ -59,6 +59,11 @@ std::string log_option(const SlurmPlan& plan, const char* name) {
   return fmt::format("--output={}/{}", path, name);
 }
 
+// What goes behind FIRST-LAST.
+std::string step_text(const PictureRange& range) {
+  return range.step > 1 ? fmt::format(":{}", range.step) : "";
+}
+
 }  // namespace
 
 std::string shell_word(std::string_view word) {
@@ -89,17 +94,18 @@ std::string render_script(const SlurmPlan& plan) {
   text += directive(fmt::format("--cpus-per-task={}", plan.needs.cores));
   text += common_directives(plan);
   if (!plan.time.empty()) text += directive("--time=" + plan.time);
-  text +=
-      fmt::format(R"(
+  text += fmt::format(R"(
 first=$(({} + SLURM_ARRAY_TASK_ID * {}))
 last=$((first + {}))
 if [ "$last" -gt {} ]; then last={}; fi
 # Finished pictures are kept: a task that is requeued goes on where it was.
 exec {} \
-  --threads="$SLURM_CPUS_PER_TASK" --pictures="$first-$last"{}
+  --threads="$SLURM_CPUS_PER_TASK" --pictures="$first-$last{}"{}
 )",
-                  plan.range.first, plan.chunk, plan.chunk - 1, plan.range.last, plan.range.last,
-                  command_line(plan, "render"), plan.overwrite ? " --overwrite" : "");
+                      plan.range.first, plan.chunk * plan.range.step,
+                      (plan.chunk - 1) * plan.range.step, plan.range.last, plan.range.last,
+                      command_line(plan, "render"), step_text(plan.range),
+                      plan.overwrite ? " --overwrite" : "");
   return text;
 }
 
@@ -108,8 +114,8 @@ std::string check_script(const SlurmPlan& plan) {
   text += directive("--job-name=" + slurm_job_name(plan.output) + "-check");
   text += directive("--cpus-per-task=1");
   text += common_directives(plan);
-  text += fmt::format("\nexec {} \\\n  --pictures={}-{}\n", command_line(plan, "status"),
-                      plan.range.first, plan.range.last);
+  text += fmt::format("\nexec {} \\\n  --pictures={}-{}{}\n", command_line(plan, "status"),
+                      plan.range.first, plan.range.last, step_text(plan.range));
   return text;
 }
 

@@ -19,7 +19,7 @@ struct SlurmPlan {
   std::filesystem::path folder;          // of scripts, logs and the record
   std::vector<std::string> passed_on;    // further options of `restframe render`
   PictureRange range;
-  int chunk = 1;           // task i: the chunk of pictures that begins at range.first + i * chunk
+  int chunk = 1;           // task i: so many pictures from range.first + i * chunk * range.step on
   std::vector<int> tasks;  // those that have something to do
   bool overwrite = false;  // of pictures that are there already
   JobNeeds needs;

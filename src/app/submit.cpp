@@ -5,7 +5,7 @@
 #include "app/child_process.h"
 #include "app/commands.h"
 #include "app/number_ranges.h"
-#include "app/picture_files.h"
+#include "app/resume.h"
 #include "app/slurm_queue.h"
 #include "app/slurm_script.h"
 #include "scene/atomic_file.h"
@@ -25,18 +25,31 @@ fs::path this_program() {
   return program;
 }
 
-std::vector<int> tasks_for(const std::vector<int>& numbers, int first, int chunk) {
+// All of the job's pictures as one range: a task reckons its own from that.
+PictureRange range_of(const std::vector<int>& numbers) {
+  PictureRange range{numbers.front(), numbers.back(), 1};
+  if (numbers.size() > 1) range.step = numbers[1] - numbers[0];
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    if (numbers[i] - numbers[i - 1] != range.step) {
+      throw InputError(
+          "--pictures: submit takes one FIRST-LAST or FIRST-LAST:STEP, and no list of several");
+    }
+  }
+  return range;
+}
+
+std::vector<int> tasks_for(const std::vector<int>& numbers, const PictureRange& range, int chunk) {
   std::vector<int> tasks;
   for (const int number : numbers) {
-    const int task = (number - first) / chunk;
+    const int task = (number - range.first) / range.step / chunk;
     if (tasks.empty() || tasks.back() != task) tasks.push_back(task);
   }
   return tasks;
 }
 
-int chunk_of(const SubmitOptions& options, const PictureRange& range) {
+int chunk_of(const SubmitOptions& options, const Job& job) {
   constexpr int most_tasks = 100;
-  const int count = range.last - range.first + 1;
+  const int count = static_cast<int>(job.numbers.size());
   return options.chunk > 0 ? std::min(options.chunk, count) : (count + most_tasks - 1) / most_tasks;
 }
 
@@ -47,9 +60,9 @@ SlurmPlan plan_of(const SubmitOptions& options, const Job& job, const std::vecto
   plan.output = fs::absolute(job.scene.output.path).string();
   plan.folder = slurm_folder(plan.output);
   plan.passed_on = options.passed_on;
-  plan.range = job.range;
-  plan.chunk = chunk_of(options, job.range);
-  plan.tasks = tasks_for(numbers, job.range.first, plan.chunk);
+  plan.range = range_of(job.numbers);
+  plan.chunk = chunk_of(options, job);
+  plan.tasks = tasks_for(numbers, plan.range, plan.chunk);
   plan.overwrite = options.render.overwrite;
   plan.needs = needs_of(job.scene, FrameSet(job.scene, thread_count()));
   if (options.render.threads > 0) plan.needs.cores = options.render.threads;
@@ -122,11 +135,9 @@ void submit_plan(const SlurmPlan& plan, const fs::path& sbatch, std::size_t coun
 
 int submit(const SubmitOptions& options, const ImportLimits& limits) {
   const Job job = loaded_job(options.render, limits);
-  const std::vector<int> numbers =
-      pictures_to_make(job.scene, job.range.first, job.range.last, options.render.overwrite);
+  const std::vector<int> numbers = pictures_to_make(job, options.render.overwrite);
   if (numbers.empty()) {
-    fmt::print("all {} pictures are there already; nothing was submitted\n",
-               job.range.last - job.range.first + 1);
+    fmt::print("all {} pictures are there already; nothing was submitted\n", job.numbers.size());
     return 0;
   }
   check_folder(slurm_folder(fs::absolute(job.scene.output.path).string()));

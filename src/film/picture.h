@@ -35,7 +35,14 @@ class Picture {
   bool has_statistics() const { return !statistics_.empty(); }
   const std::vector<MatteKind>& mattes() const { return mattes_; }
   const AlignedVector<Vec4f>& rgba() const { return rgba_; }
+  AlignedVector<Vec4f>& rgba() { return rgba_; }
   const std::vector<Plane>& planes() const { return planes_; }
+  std::vector<Plane>& planes() { return planes_; }
+  // Where a pixel of the window is in these.
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - window_.top) * static_cast<std::size_t>(window_.width) +
+           static_cast<std::size_t>(x - window_.left);
+  }
 
   // All pixels (x, y) must lie in the window; a row is those from (x, y) on to the right.
   void set_radiance_row(int x, int y, std::span<const Vec4f> pixels) {
@@ -49,10 +56,6 @@ class Picture {
   void set_matte(int x, int y, MatteKind kind, const MatteRanks& ranks);
 
  private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - window_.top) * static_cast<std::size_t>(window_.width) +
-           static_cast<std::size_t>(x - window_.left);
-  }
   void add_plane(std::string name, ChannelKind kind);
 
   PixelWindow window_;
