@@ -10,16 +10,17 @@ namespace restframe {
 namespace {
 
 // In the order of the enumerations Layer and Compression.
-const std::vector<std::string> layer_names = {"beauty", "Z",  "time", "doppler",  "N",
-                                              "P",      "UV", "id",   "variance", "samples"};
+const std::vector<std::string> layer_names = {
+    "beauty",   "Z",          "time",         "doppler", "N",        "P",
+    "UV",       "id",         "variance",     "samples", "emission", "direct",
+    "indirect", "reflection", "transmission", "lights",  "albedo",   "motion"};
 const std::vector<std::string> compression_names = {"none", "rle",   "zips", "zip",
                                                     "piz",  "pxr24", "dwaa", "dwab"};
 
 bool is_later_layer(const std::string& name) {
-  static const std::vector<std::string> later = {
-      "motion",     "albedo",       "normal",        "direct",          "indirect",    "emission",
-      "reflection", "transmission", "crypto_object", "crypto_material", "crypto_asset"};
-  return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
+  static const std::vector<std::string> later = {"normal", "crypto_object", "crypto_material",
+                                                 "crypto_asset"};
+  return std::find(later.begin(), later.end(), name) != later.end();
 }
 
 void read_scene(TableReader& root, SceneFile& file) {

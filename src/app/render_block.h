@@ -3,9 +3,13 @@
 // A packet's worth of pixels, for those who render it.
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
 
 #include "app/render_picture.h"
+#include "film/part_totals.h"
+#include "tracer/apparent_motion.h"
 #include "tracer/camera_sampler.h"
 #include "tracer/exposed_camera.h"
 
@@ -42,6 +46,7 @@ struct PictureView {
   ExposedCamera camera;
   BlockPattern pattern;
   bool measured;  // how sure pixels are
+  std::optional<ApparentMotion> motion;
 
   PictureView(const RenderContext& of, int picture, const PixelWindow& pixels)
       : context(of),
@@ -49,7 +54,12 @@ struct PictureView {
         window(pixels),
         sampler(of.scene),
         camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
-        measured(measures_noise(of.scene)) {}
+        measured(measures_noise(of.scene)) {
+    if (!wants(of.scene.output, Layer::motion)) return;
+    motion.emplace(of.scene, camera, picture_time(of.scene.animation, picture + 1));
+  }
+  PictureView(const PictureView&) = delete;  // parts of it refer to others
+  PictureView& operator=(const PictureView&) = delete;
 };
 
 // A square of pixels that is rendered as one packet after the other.
@@ -91,9 +101,13 @@ void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
 
 template <class Tracer>
 void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
-                          RadianceLanes& radiance, Picture& picture) {
+                          RadianceLanes& radiance, SampleParts* parts, Picture& picture) {
   SurfaceDataLanes data;
-  trace(block, 0, sample, radiance, {&data});
+  trace(block, 0, sample, radiance, {&data, parts});
+  for (int i = 0; block.view.motion && i < packet_size; ++i) {
+    if (!data[i].hit) continue;
+    data[i].motion = (*block.view.motion)(data[i], {sample.film_x[i], sample.film_y[i]});
+  }
   for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
 }
 
@@ -103,7 +117,20 @@ void render_data(const Block<Tracer>& block, Picture& picture) {
   CameraSample sample;
   block.view.sampler.take_center(block.pixels, sample);
   RadianceLanes unused;
-  trace_and_store_data(block, sample, unused, picture);
+  trace_and_store_data(block, sample, unused, nullptr, picture);
+}
+
+// samples: of each exposure.
+template <class Tracer>
+void store_parts(const Block<Tracer>& block, const PartTotals& parts, int samples,
+                 Picture& picture) {
+  if (!parts.are_wanted()) return;
+  std::array<Vec3f, SampleParts::most_columns> colors;
+  const std::span<Vec3f> of_pixel = std::span(colors).first(parts.size());
+  for_pixels(block, [&](int x, int y, int lane) {
+    parts.take(lane, samples, of_pixel);
+    picture.set_parts(x, y, of_pixel);
+  });
 }
 
 template <class Tracer>

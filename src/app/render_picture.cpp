@@ -23,7 +23,7 @@ void add(RadianceLanes& sum, const RadianceLanes& radiance) {
 // The sum over the samples of one exposure; data layers are those of the very first sample.
 template <class Tracer>
 void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_data,
-                     RadianceLanes& sum, Picture& picture) {
+                     RadianceLanes& sum, PartTotals& parts, Picture& picture) {
   const CameraSampler& sampler = block.view.sampler;
   PacketId& id = block.id;
   const int bits = bits_for(samples);
@@ -40,10 +40,11 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
     RadianceLanes next;
     RadianceLanes& radiance = index == 0 ? sum : next;
     if (with_data && id.sample == 0) {
-      trace_and_store_data(block, sample, radiance, picture);
+      trace_and_store_data(block, sample, radiance, parts.sample(), picture);
     } else {
-      trace(block, exposure, sample, radiance, {});
+      trace(block, exposure, sample, radiance, {nullptr, parts.sample()});
     }
+    if (parts.are_wanted()) parts.add_sample();
     if (index > 0) add(sum, next);
   }
 }
@@ -66,18 +67,22 @@ void render_block(Block<Tracer>&& block, Picture& picture) {
   const PictureView& view = block.view;
   const bool data_apart = picture.has_data() && (view.sampler.spreads() || view.measured);
   if (data_apart) render_data(block, picture);
-  if (data_apart && !picture.has_beauty()) return;
+  const bool has_light = picture.has_beauty() || picture.has_parts();
+  if (data_apart && !has_light) return;
   if (view.measured) return render_measured(block, picture);
-  const int samples = picture.has_beauty() ? scene.render.samples : 1;
-  const int exposures = picture.has_beauty() ? scene.exposure.count : 1;
+  const int samples = has_light ? scene.render.samples : 1;
+  const int exposures = has_light ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
+  PartTotals parts(picture.part_columns(), scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
     if (interrupt_requested()) throw Interrupted();
     RadianceLanes sum;
-    render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
+    render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, parts,
+                    picture);
     total.add(sum, 1.0F / static_cast<float>(samples));
   }
   store(block, total.combined(), picture);
+  store_parts(block, parts, samples, picture);
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
 
@@ -127,16 +132,16 @@ std::size_t samples_a_pixel(const Scene& scene) {
 }
 
 bool measures_noise(const Scene& scene) {
-  const auto wants = [&](Layer layer) {
-    const std::vector<Layer>& layers = scene.output.layers;
-    return std::find(layers.begin(), layers.end(), layer) != layers.end();
-  };
-  return wants(Layer::beauty) && (scene.render.noise > 0.0 || wants(Layer::variance));
+  const OutputSettings& output = scene.output;
+  return wants(output, Layer::beauty) &&
+         (scene.render.noise > 0.0 || wants(output, Layer::variance));
 }
 
 Picture blank_picture(const Scene& scene) {
-  return {
-      {0, 0, scene.render.width, scene.render.height}, scene.output.layers, {scene.light_speed}};
+  return {{0, 0, scene.render.width, scene.render.height},
+          scene.output.layers,
+          {scene.light_speed},
+          light_groups(scene)};
 }
 
 std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {

@@ -46,6 +46,10 @@ constexpr std::array id_channels{DataChannel{"id_object.V", ChannelKind::plain, 
                                  DataChannel{"id_material.V", ChannelKind::plain, 0.0,
                                              [](Data d, Units) { return d.material + 1.0; }}};
 
+constexpr std::array motion_channels{
+    DataChannel{"motion.U", ChannelKind::plain, 0.0, [](Data d, Units) { return d.motion.x; }},
+    DataChannel{"motion.V", ChannelKind::plain, 0.0, [](Data d, Units) { return d.motion.y; }}};
+
 using Statistics = const SampleStatistics&;
 
 float within_float(float value) {
@@ -60,7 +64,21 @@ constexpr std::array variance_channels{
 constexpr std::array sample_channels{
     StatisticChannel{"samples.V", [](Statistics s) { return static_cast<float>(s.samples); }}};
 
+constexpr LayerInfo part(Layer layer, const char* name, int column) {
+  return {layer, name, {}, {}, column};
+}
+constexpr LayerInfo part(Layer layer, const char* name, LightWay way) {
+  return part(layer, name, static_cast<int>(way));
+}
+
 constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
+                           part(Layer::emission, "emission", LightWay::emission),
+                           part(Layer::direct, "direct", LightWay::direct),
+                           part(Layer::indirect, "indirect", LightWay::indirect),
+                           part(Layer::reflection, "reflection", LightWay::reflection),
+                           part(Layer::transmission, "transmission", LightWay::transmission),
+                           part(Layer::lights, "lights", SampleParts::rest_of_lights),
+                           part(Layer::albedo, "albedo", SampleParts::albedo),
                            LayerInfo{Layer::z, "Z", distance_channels},
                            LayerInfo{Layer::time, "time", time_channels},
                            LayerInfo{Layer::doppler, "doppler", doppler_channels},
@@ -68,6 +86,7 @@ constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
                            LayerInfo{Layer::position, "P", position_channels},
                            LayerInfo{Layer::uv, "UV", uv_channels},
                            LayerInfo{Layer::id, "id", id_channels},
+                           LayerInfo{Layer::motion, "motion", motion_channels},
                            LayerInfo{Layer::variance, "variance", {}, variance_channels},
                            LayerInfo{Layer::samples, "samples", {}, sample_channels}};
 
@@ -83,6 +102,15 @@ std::vector<Channel> channels_of(std::span<const Layer> layers,
   return channels;
 }
 
+// The layer of what belongs to no group comes first, as its column does.
+void add_light_layers(std::span<const std::string> groups, std::vector<PartLayer>& layers) {
+  int column = SampleParts::rest_of_lights;
+  layers.push_back({std::string("light_") + rest_of_lights, column});
+  for (const std::string& group : groups.first(std::min(groups.size(), most_light_groups))) {
+    layers.push_back({"light_" + group, ++column});
+  }
+}
+
 }  // namespace
 
 std::span<const LayerInfo> layer_table() {
@@ -95,6 +123,21 @@ std::vector<DataChannel> data_channels(std::span<const Layer> layers) {
 
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers) {
   return channels_of(layers, &LayerInfo::statistics);
+}
+
+std::vector<PartLayer> part_layers(std::span<const Layer> layers,
+                                   std::span<const std::string> groups) {
+  std::vector<PartLayer> parts;
+  for (const LayerInfo& info : table) {
+    if (info.column == no_column) continue;
+    if (std::find(layers.begin(), layers.end(), info.layer) == layers.end()) continue;
+    if (info.layer == Layer::lights) {
+      add_light_layers(groups, parts);
+    } else {
+      parts.push_back({info.scene_name, info.column});
+    }
+  }
+  return parts;
 }
 
 }  // namespace restframe

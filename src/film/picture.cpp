@@ -1,10 +1,13 @@
 #include "film/picture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace restframe {
 
-Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units)
+Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units,
+                 std::span<const std::string> groups)
     : window_(window),
       units_(units),
       data_(data_channels(layers)),
@@ -16,9 +19,16 @@ Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const
   for (const StatisticChannel& channel : statistics_) {
     add_plane(channel.exr_name, ChannelKind::plain);
   }
+  first_part_ = planes_.size();
+  for (const PartLayer& part : part_layers(layers, groups)) {
+    part_columns_.push_back(part.column);
+    for (const char* color : {".R", ".G", ".B"}) {
+      add_plane(part.exr_name + color, ChannelKind::plain);
+    }
+  }
 }
 
-void Picture::add_plane(const char* name, ChannelKind kind) {
+void Picture::add_plane(const std::string& name, ChannelKind kind) {
   const auto pixels = static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
   Plane plane{name, kind, {}, {}};
   if (kind == ChannelKind::plain) {
@@ -52,6 +62,18 @@ void Picture::set_statistics(int x, int y, const SampleStatistics& statistics) {
   Plane* plane = planes_.data() + data_.size();
   for (const StatisticChannel& channel : statistics_) {
     (plane++)->values[index(x, y)] = channel.value(statistics);
+  }
+}
+
+// Within what a float holds, as the beauty.
+void Picture::set_parts(int x, int y, std::span<const Vec3f> colors) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  Plane* plane = planes_.data() + first_part_;
+  for (const Vec3f& color : colors) {
+    for (int i = 0; i < 3; ++i) {
+      const float value = std::isnan(color[i]) ? 0.0F : glm::clamp(color[i], -largest, largest);
+      (plane++)->values[index(x, y)] = value;
+    }
   }
 }
 

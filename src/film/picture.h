@@ -22,7 +22,9 @@ struct Plane {
 // The pixels of one picture, row by row from the top. Each pixel is written by one thread.
 class Picture {
  public:
-  Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units);
+  // groups: of the scene's lights, for the layers of their light.
+  Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units,
+          std::span<const std::string> groups = {});
 
   const PixelWindow& window() const { return window_; }
   int width() const { return window_.width; }
@@ -32,6 +34,9 @@ class Picture {
   bool has_beauty() const { return !rgba_.empty(); }
   bool has_data() const { return !data_.empty(); }
   bool has_statistics() const { return !statistics_.empty(); }
+  bool has_parts() const { return !part_columns_.empty(); }
+  // Of SampleParts: what is asked for.
+  std::span<const int> part_columns() const { return part_columns_; }
   const AlignedVector<Vec4f>& rgba() const { return rgba_; }
   const std::vector<Plane>& planes() const { return planes_; }
 
@@ -44,20 +49,24 @@ class Picture {
   void set_radiance(int x, int y, const Vec4f& rgba) { set_radiance_row(x, y, {&rgba, 1}); }
   void set_data(int x, int y, const SurfaceData& data);
   void set_statistics(int x, int y, const SampleStatistics& statistics);
+  // A colour for each of part_columns().
+  void set_parts(int x, int y, std::span<const Vec3f> colors);
 
  private:
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - window_.top) * static_cast<std::size_t>(window_.width) +
            static_cast<std::size_t>(x - window_.left);
   }
-  void add_plane(const char* name, ChannelKind kind);
+  void add_plane(const std::string& name, ChannelKind kind);
 
   PixelWindow window_;
   DataUnits units_;
   AlignedVector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
   std::vector<DataChannel> data_;
   std::vector<StatisticChannel> statistics_;
-  std::vector<Plane> planes_;  // of the data, then of the statistics
+  std::vector<int> part_columns_;
+  std::size_t first_part_ = 0;  // among the planes
+  std::vector<Plane> planes_;   // of the data, then of the statistics, then of the parts
 };
 
 }  // namespace restframe

@@ -76,7 +76,15 @@ enum class Layer : std::uint8_t {
   uv,
   id,
   variance,
-  samples
+  samples,
+  emission,
+  direct,
+  indirect,
+  reflection,
+  transmission,
+  lights,
+  albedo,
+  motion,
 };
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab };
@@ -94,5 +102,7 @@ struct OutputSettings {
   double exposure = 0;  // of the preview: stops by which it is brightened
   ViewTransform view = ViewTransform::srgb;
 };
+
+bool wants(const OutputSettings& output, Layer layer);
 
 }  // namespace restframe

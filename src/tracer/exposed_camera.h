@@ -21,13 +21,15 @@ class ExposedCamera {
   // Origins, wave vectors and s_min of the rays of one sample of an exposure. Throws as pose_at.
   void rays(int exposure, const CameraSample& sample, RayPacket& rays) const;
 
- private:
+  // Where it is at a time of its own, and how it maps directions to the film. Throws as pose_at.
   struct Moment {
     double time;
     CameraPose pose;
     Projection projection;
   };
   Moment moment_at(double time) const;
+
+ private:
   void steady_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
   void changing_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
 

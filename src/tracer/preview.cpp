@@ -1,6 +1,7 @@
 #include "tracer/preview.h"
 
 #include "physics/clones.h"
+#include "scene/light_groups.h"
 #include "tracer/footprint.h"
 #include "tracer/shading_normal.h"
 
@@ -18,7 +19,8 @@ Preview::Preview(const Scene& scene, const FrameSet& frames)
       frames_(frames),
       tables_(scene),
       places_(object_places(scene, frames)),
-      spectra_(scene) {
+      spectra_(scene),
+      groups_(scene) {
   simple_.push_back({Vec4f(0), Vec4f(0), 1, 1});
   for (const Material& material : scene.materials) {
     plain_.push_back(plain(material));
@@ -107,6 +109,37 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
   return shaded;
 }
 
+// After shade(), which refines the hit. Times the part of the surface that is there.
+Preview::Own Preview::own(const Met& met, float there, TemporalEvaluator& evaluator) const {
+  const MetSurface surface = met_surface(met);
+  const Material& material = surface.material();
+  const double clock = clock_at(places_[static_cast<std::size_t>(met.surfaces.object[met.lane])],
+                                met.hits, met.lane);
+  const Vec4f texture = texel(surface, material.base_color_texture);
+  const Vec3f base = base_color(surface, texture, clock, evaluator);
+  const Vec3f glow = emission(surface, clock, evaluator);
+  Vec3f shines = material.unlit ? base : Vec3f(0);
+  if (has_own_spectrum(material.emission_temperature, material.emission_spectrum)) {
+    shines = as_seen(shines, met) + own_spectrum(met, glow, clock, evaluator);
+  } else {
+    shines = as_seen(shines + glow, met);
+  }
+  const float factor = emitter_factor(scene_.render.beaming, doppler_at(met.hits, met.lane));
+  return {shines * (there * factor), base * there};
+}
+
+// left: what surfaces in front of it leave of what `shaded` says.
+void Preview::add_parts(const Met& met, float left, const Vec4f& shaded,
+                        TemporalEvaluator& evaluator, SampleParts& parts) const {
+  if (!(shaded.w > 0.0F)) return;
+  const Own of_surface = own(met, shaded.w, evaluator);
+  const Vec3f all = left * Vec3f(shaded), emission = left * of_surface.shines;
+  parts.add(LightWay::emission, met.lane, emission);
+  parts.add(LightWay::direct, met.lane, all - emission);
+  parts.add_to_group(0, met.lane, all);
+  parts.add(SampleParts::albedo, met.lane, left * of_surface.base);
+}
+
 RESTFRAME_CLONES bool Preview::shade_simple(const RayPacket& rays, const HitPacket& hits,
                                             const SurfaceLanes& surfaces,
                                             RadianceLanes& radiance) const {
@@ -143,6 +176,8 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
                     RadianceLanes& radiance, const SampleLayers& layers) const {
   SurfaceDataLanes* const data = layers.data;
   if (data != nullptr) data->fill({});
+  SampleParts* const parts = layers.parts;
+  if (parts != nullptr) parts->clear(groups_);
   HitPacket hits;
   SurfaceLanes surfaces;
   bool passing = true;
@@ -150,7 +185,8 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
     frames_.nearest(rays, hits);
     surfaces_at(scene_, frames_, hits, rays.active, surfaces);
     if (layer == 0) {
-      if (data == nullptr && shade_simple(rays, hits, surfaces, radiance)) return;
+      if (data == nullptr && parts == nullptr && shade_simple(rays, hits, surfaces, radiance))
+        return;
       radiance.fill(Vec4f(0));
     }
     passing = false;
@@ -160,6 +196,9 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
       if (hits.frame[lane] < 0) continue;
       const Met met{rays, surfaces, hits, lane};
       const Vec4f shaded = shade(met, evaluator);
+      if (parts != nullptr) {
+        add_parts(met, 1.0F - radiance[lane].w, shaded, evaluator, *parts);
+      }
       radiance[lane] += (1.0F - radiance[lane].w) * shaded;  // behind what is in front
       if (data != nullptr && !(*data)[lane].hit &&
           random_unit(id, lane, Dimension::opacity, layer) < shaded.w) {

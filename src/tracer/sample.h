@@ -24,12 +24,16 @@ struct SurfaceData {
   Vec3 position{0};  // rest frame, relative to the object's origin
   Vec3 normal{0};
   Vec2f uv{0};
+  Vec2 motion{0};  // on the film until the next picture, if anyone asks: pixels, right and up
 };
 using SurfaceDataLanes = Lanes<SurfaceData>;
+
+struct SampleParts;
 
 // What is wanted of 16 samples besides their light; null: not wanted.
 struct SampleLayers {
   SurfaceDataLanes* data = nullptr;
+  SampleParts* parts = nullptr;
 };
 
 }  // namespace restframe
