@@ -1,11 +1,13 @@
 // Film samples, the table of layers, and pictures through EXR files and back.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -58,8 +60,10 @@ TEST(FilmOffsets, NoTwoAreTheSame) {
 }
 
 const std::vector<Layer> all_layers = {
-    Layer::beauty,   Layer::z,  Layer::time, Layer::doppler,  Layer::normal,
-    Layer::position, Layer::uv, Layer::id,   Layer::variance, Layer::samples};
+    Layer::beauty,       Layer::z,        Layer::time,   Layer::doppler,  Layer::normal,
+    Layer::position,     Layer::uv,       Layer::id,     Layer::variance, Layer::samples,
+    Layer::motion,       Layer::emission, Layer::direct, Layer::indirect, Layer::reflection,
+    Layer::transmission, Layer::lights,   Layer::albedo};
 
 TEST(Layers, TheTableHasEachOnce) {
   std::set<Layer> layers;
@@ -74,13 +78,37 @@ TEST(Layers, TheTableHasEachOnce) {
   }
   EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
   EXPECT_EQ(layer_table().size(), all_layers.size());
-  EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
-                                          "variance", "samples"}));
-  EXPECT_EQ(channels, (std::set<std::string>{"Z", "time_proper.V", "time_world.V", "doppler.D",
-                                             "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "UV.U",
-                                             "UV.V", "id_object.V", "id_material.V", "variance.R",
-                                             "variance.G", "variance.B", "samples.V"}));
+  EXPECT_EQ(names,
+            (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
+                                   "variance", "samples", "motion", "emission", "direct",
+                                   "indirect", "reflection", "transmission", "lights", "albedo"}));
+  EXPECT_EQ(channels,
+            (std::set<std::string>{"Z",           "time_proper.V", "time_world.V", "doppler.D",
+                                   "N.X",         "N.Y",           "N.Z",          "P.X",
+                                   "P.Y",         "P.Z",           "UV.U",         "UV.V",
+                                   "id_object.V", "id_material.V", "variance.R",   "variance.G",
+                                   "variance.B",  "samples.V",     "motion.U",     "motion.V"}));
   EXPECT_EQ(channels.size(), channel_count);
+}
+
+TEST(Layers, PartsAreNamedByTheTableAndByGroups) {
+  const std::vector<std::string> groups = {"key", "fill"};
+  std::map<std::string, int> columns;
+  for (const PartLayer& part : part_layers(all_layers, groups))
+    columns[part.exr_name] = part.column;
+  const std::map<std::string, int> expected = {
+      {"emission", 0}, {"direct", 1},     {"indirect", 2},  {"reflection", 3}, {"transmission", 4},
+      {"albedo", 5},   {"light_rest", 6}, {"light_key", 7}, {"light_fill", 8}};
+  EXPECT_EQ(columns, expected);
+  const std::vector<Layer> one = {Layer::z, Layer::albedo};
+  Picture picture({0, 0, 2, 1}, one, {}, groups);
+  EXPECT_THAT(picture.part_columns(), testing::ElementsAre(5));
+  const Vec3f color(1.5F, inf, nan);
+  picture.set_parts(1, 0, {&color, 1});
+  EXPECT_EQ(picture.planes()[1].name, "albedo.R");
+  EXPECT_EQ(picture.planes()[1].values[1], 1.5F);
+  EXPECT_EQ(picture.planes()[2].values[1], std::numeric_limits<float>::max());
+  EXPECT_EQ(picture.planes()[3].values[1], 0.0F);
 }
 
 TEST(Layers, OnlyThoseAskedForHaveChannels) {
@@ -108,6 +136,7 @@ SurfaceData surface() {
   data.position = {0.5, -0.25, 2};
   data.normal = {0, 0.6, -0.8};
   data.uv = {0.125, 0.875};
+  data.motion = {1.5, -2.5};
   return data;
 }
 
@@ -131,31 +160,44 @@ TEST(Exr, HoldsWhatWasSet) {
   picture.set_radiance(2, 1, {0.5F, 0.25F, 2.0F, 1.0F});
   picture.set_data(2, 1, surface());
   picture.set_statistics(2, 1, {{0.25F, 0.5F, inf}, 48});
+  std::vector<Vec3f> parts;
+  for (const int column : picture.part_columns()) {
+    parts.push_back(static_cast<float>(column) + Vec3f(1, 0.5F, 0.25F));
+  }
+  picture.set_parts(2, 1, parts);
   const ExrPicture exr = written(picture).exr;
   EXPECT_EQ(exr.width, 3);
   EXPECT_EQ(exr.height, 2);
-  const std::map<std::string, float> expected = {{"R", 0.5F},
-                                                 {"G", 0.25F},
-                                                 {"B", 2.0F},
-                                                 {"A", 1.0F},
-                                                 {"Z", 7.0F},
-                                                 {"time_proper.V", -1.25F},
-                                                 {"time_world.V", 7.75F},
-                                                 {"doppler.D", 1.5F},
-                                                 {"P.X", 1.0F},
-                                                 {"P.Y", -0.5F},
-                                                 {"P.Z", 4.0F},
-                                                 {"N.X", 0.0F},
-                                                 {"N.Y", 0.6F},
-                                                 {"N.Z", -0.8F},
-                                                 {"UV.U", 0.125F},
-                                                 {"UV.V", 0.875F},
-                                                 {"id_object.V", 3.0F},
-                                                 {"id_material.V", 5.0F},
-                                                 {"variance.R", 0.25F},
-                                                 {"variance.G", 0.5F},
-                                                 {"variance.B", std::numeric_limits<float>::max()},
-                                                 {"samples.V", 48.0F}};
+  std::map<std::string, float> expected = {{"R", 0.5F},
+                                           {"G", 0.25F},
+                                           {"B", 2.0F},
+                                           {"A", 1.0F},
+                                           {"Z", 7.0F},
+                                           {"time_proper.V", -1.25F},
+                                           {"time_world.V", 7.75F},
+                                           {"doppler.D", 1.5F},
+                                           {"P.X", 1.0F},
+                                           {"P.Y", -0.5F},
+                                           {"P.Z", 4.0F},
+                                           {"N.X", 0.0F},
+                                           {"N.Y", 0.6F},
+                                           {"N.Z", -0.8F},
+                                           {"UV.U", 0.125F},
+                                           {"UV.V", 0.875F},
+                                           {"id_object.V", 3.0F},
+                                           {"id_material.V", 5.0F},
+                                           {"variance.R", 0.25F},
+                                           {"variance.G", 0.5F},
+                                           {"variance.B", std::numeric_limits<float>::max()},
+                                           {"motion.U", 1.5F},
+                                           {"motion.V", -2.5F},
+                                           {"samples.V", 48.0F}};
+  for (const PartLayer& part : part_layers(all_layers, {})) {
+    const auto column = static_cast<float>(part.column);
+    expected[part.exr_name + ".R"] = column + 1;
+    expected[part.exr_name + ".G"] = column + 0.5F;
+    expected[part.exr_name + ".B"] = column + 0.25F;
+  }
   EXPECT_EQ(exr.channels.size(), expected.size());
   for (const auto& [name, value] : expected) {
     EXPECT_EQ(exr.at(name, 2, 1), value) << name;

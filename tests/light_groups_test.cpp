@@ -57,7 +57,7 @@ TEST(LightGroupLayers, AreThePicturesOfTheirLights) {
   for (const char* keys : {"", "beaming = true", "doppler = true"}) {
     const Scene scene = studio(keys);
     const Picture picture = first_picture(with_parts(scene));
-    for (const std::string& group : {"points", "sun", "sky", "lamp", ""}) {
+    for (const std::string group : {"points", "sun", "sky", "lamp", ""}) {
       SCOPED_TRACE(keys + group);
       const std::string layer = "light_" + (group.empty() ? "rest" : group);
       const std::vector<Vec3> alone = beauty_of(first_picture(lit_by(scene, group)));

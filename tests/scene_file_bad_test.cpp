@@ -88,7 +88,7 @@ TEST_F(BadScene, WhatThisVersionDoesNotDo) {
   };
   check({
       {in_section("output", "split = true"), {"2:1: " + none("split")}},
-      {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},
+      {in_section("output", "layers = [\"beauty\", \"normal\"]"), {"2:21: " + none("normal")}},
   });
 }
 
