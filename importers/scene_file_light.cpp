@@ -209,7 +209,7 @@ void read_type(TableReader& reader, const LightStart* start, Light& light) {
 
 // Layers are called light_GROUP.
 std::optional<std::string> read_group(TableReader& table) {
-  const auto group = table.text("group");
+  auto group = table.text("group");
   if (group && !is_group_name(*group)) {
     table.report(table.place("group"),
                  fmt::format("group is \"{}\", must be letters, digits, _ and - only", *group));

@@ -241,6 +241,70 @@ TEST(LayerParts, GlossAndBodyOfPlasticAreApart) {
   EXPECT_NEAR(mean_of(colors_of(picture, "albedo")).y, 0.5, 1e-6);
 }
 
+// A wall of rough plastic. Its gloss is that of black plastic, whatever its own colour.
+Scene plastic_wall(const std::string& color, const std::string& render_keys,
+                   const std::string& lights, const std::string& more = "") {
+  return loaded_scene(
+      camera_at({0, 0, 3}, 0.9, "depth = 1\n" + render_keys) +
+          placed("wall", "plastic", "velocity = [0.3, 0, 0.05]") +
+          material("plastic", fmt::format("base_color = {}\nmetallic = 0\nroughness = 0.4\n"
+                                          "specular_color = [1, 0.7, 0.4]\n{}",
+                                          color, more)) +
+          lights,
+      {{"wall.obj", quad_obj({0, 0, 0}, {3, 0, 0}, {0, 3, 0})}});
+}
+
+// Light of one direction is shared among the lobes, whatever its spectrum.
+TEST(LayerParts, SharesOfLampsAreThoseOfEachLobeAlone) {
+  const std::string lamp = "[[light]]\ntype = \"point\"\nposition = [0.4, 0.3, 2.5]\nintensity = 100\n";
+  for (const std::string keys : {"", "beaming = true", "doppler = true"}) {
+    for (const std::string spectrum :
+         {"", "temperature = 3000\n", "lines = [[589, 1], [470, 0.5, 8]]\n"}) {
+      SCOPED_TRACE(keys + spectrum);
+      const std::string render = "samples = 2\n" + keys;
+      for (const char* more : {"", "clearcoat = 0.5\nclearcoat_roughness = 0.3"}) {
+        const Picture painted = first_picture(
+            with_parts(plastic_wall("[0.8, 0.5, 0.2]", render, lamp + spectrum, more)));
+        const Picture black =
+            first_picture(plastic_wall("\"black\"", render, lamp + spectrum, more));
+        const std::vector<Vec3> gloss = beauty_of(black);
+        EXPECT_GT(glm::length(mean_of(gloss)), 1e-3);
+        EXPECT_GT(glm::length(mean_of(colors_of(painted, "direct"))), 1e-3);
+        expect_same_colors(colors_of(painted, "reflection"), gloss, 1e-4);
+        expect_sum(painted, way_names);
+      }
+    }
+  }
+}
+
+// What paths find by chance, lobe by lobe, has the same means.
+TEST(LayerParts, SharesOfSkiesAreThoseOfEachLobeAlone) {
+  for (const std::string keys : {"", "doppler = true"}) {
+    for (const std::string spectrum : {"", "lines = [[589, 1]]\n"}) {
+      SCOPED_TRACE(keys + spectrum);
+      const std::string sky = "[[light]]\ntype = \"environment\"\n" + spectrum;
+      const std::string render = "samples = 128\n" + keys;
+      const Picture painted =
+          first_picture(with_parts(plastic_wall("[0.8, 0.5, 0.2]", render, sky)));
+      const Picture black = first_picture(plastic_wall("\"black\"", render, sky));
+      const Vec3 gloss = mean_of(beauty_of(black));
+      const Vec3 reflection = mean_of(colors_of(painted, "reflection"));
+      EXPECT_GT(gloss.x, 1e-3);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflection[c], gloss[c], 0.05 * std::abs(gloss[c]));
+    }
+  }
+}
+
+// Fibres are no gloss.
+TEST(LayerParts, VelvetIsMatte) {
+  const Picture picture = first_picture(with_parts(plastic_wall(
+      "\"black\"", "samples = 16",
+      "[[light]]\ntype = \"environment\"\n[[light]]\ntype = \"point\"\nposition = [0, 0, 2]\n",
+      "specular = 0\nsheen_color = [0.9, 0.6, 0.3]\nsheen_roughness = 0.5")));
+  EXPECT_GT(mean_of(beauty_of(picture)).y, 0.01);
+  expect_all_in(picture, "direct");
+}
+
 // What glows behind a veil, and the veil itself: each by the part of it that is seen.
 TEST(LayerParts, EmittersBehindVeilsAreSeenStraight) {
   for (const char* integrator : {"path", "preview"}) {
