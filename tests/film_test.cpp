@@ -59,11 +59,27 @@ TEST(FilmOffsets, NoTwoAreTheSame) {
   EXPECT_EQ(seen.size(), 10'000U);
 }
 
-const std::vector<Layer> all_layers = {
-    Layer::beauty,       Layer::z,        Layer::time,   Layer::doppler,  Layer::normal,
-    Layer::position,     Layer::uv,       Layer::id,     Layer::variance, Layer::samples,
-    Layer::motion,       Layer::emission, Layer::direct, Layer::indirect, Layer::reflection,
-    Layer::transmission, Layer::lights,   Layer::albedo};
+const std::vector<Layer> all_layers = {Layer::beauty,
+                                       Layer::z,
+                                       Layer::time,
+                                       Layer::doppler,
+                                       Layer::normal,
+                                       Layer::position,
+                                       Layer::uv,
+                                       Layer::id,
+                                       Layer::variance,
+                                       Layer::samples,
+                                       Layer::crypto_object,
+                                       Layer::crypto_material,
+                                       Layer::crypto_asset,
+                                       Layer::motion,
+                                       Layer::emission,
+                                       Layer::direct,
+                                       Layer::indirect,
+                                       Layer::reflection,
+                                       Layer::transmission,
+                                       Layer::lights,
+                                       Layer::albedo};
 
 TEST(Layers, TheTableHasEachOnce) {
   std::set<Layer> layers;
@@ -78,10 +94,27 @@ TEST(Layers, TheTableHasEachOnce) {
   }
   EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
   EXPECT_EQ(layer_table().size(), all_layers.size());
-  EXPECT_EQ(names,
-            (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
-                                   "variance", "samples", "motion", "emission", "direct",
-                                   "indirect", "reflection", "transmission", "lights", "albedo"}));
+  EXPECT_EQ(names, (std::set<std::string>{"beauty",
+                                          "Z",
+                                          "time",
+                                          "doppler",
+                                          "N",
+                                          "P",
+                                          "UV",
+                                          "id",
+                                          "variance",
+                                          "samples",
+                                          "crypto_object",
+                                          "crypto_material",
+                                          "crypto_asset",
+                                          "motion",
+                                          "emission",
+                                          "direct",
+                                          "indirect",
+                                          "reflection",
+                                          "transmission",
+                                          "lights",
+                                          "albedo"}));
   EXPECT_EQ(channels,
             (std::set<std::string>{"Z",           "time_proper.V", "time_world.V", "doppler.D",
                                    "N.X",         "N.Y",           "N.Z",          "P.X",
@@ -160,6 +193,7 @@ TEST(Exr, HoldsWhatWasSet) {
   picture.set_radiance(2, 1, {0.5F, 0.25F, 2.0F, 1.0F});
   picture.set_data(2, 1, surface());
   picture.set_statistics(2, 1, {{0.25F, 0.5F, inf}, 48});
+  picture.set_matte(2, 1, MatteKind::material, {{{0.5F, 0.75F}, {8.0F, 0.125F}}});
   std::vector<Vec3f> parts;
   for (const int column : picture.part_columns()) {
     parts.push_back(static_cast<float>(column) + Vec3f(1, 0.5F, 0.25F));
@@ -198,6 +232,13 @@ TEST(Exr, HoldsWhatWasSet) {
     expected[part.exr_name + ".G"] = column + 0.5F;
     expected[part.exr_name + ".B"] = column + 0.25F;
   }
+  for (const char* layer : {"crypto_object", "crypto_material", "crypto_asset"}) {
+    for (const std::string& channel : matte_channels(layer)) expected[channel] = 0;
+  }
+  expected["crypto_material00.R"] = 0.5F;
+  expected["crypto_material00.G"] = 0.75F;
+  expected["crypto_material00.B"] = 8.0F;
+  expected["crypto_material00.A"] = 0.125F;
   EXPECT_EQ(exr.channels.size(), expected.size());
   for (const auto& [name, value] : expected) {
     EXPECT_EQ(exr.at(name, 2, 1), value) << name;

@@ -77,7 +77,7 @@ struct MeasuredBlock {
       CameraSample where;
       block.view.sampler.draw(block.pixels, random, where);
       RadianceLanes radiance;
-      trace(block, number, where, radiance, {nullptr, parts.sample()});
+      trace(block, number, where, radiance, {nullptr, block.covers, parts.sample()});
       if (parts.are_wanted()) parts.add_sample();
       replicates.add(sample % replicate_count, radiance, scale);
       coverage.add(number, radiance);
@@ -106,8 +106,9 @@ struct MeasuredBlock {
     }
     store(block, radiance, picture);
     store_parts(block, parts, replicates.samples(), picture);
-    if (!picture.has_statistics()) return;
     const int samples = replicates.samples() * exposure().count;
+    store_mattes(block, samples, picture);
+    if (!picture.has_statistics()) return;
     for_pixels(block, [&](int x, int y, int lane) {
       picture.set_statistics(x, y, {replicates.variance(lane), samples});
     });

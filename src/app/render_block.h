@@ -8,9 +8,11 @@
 #include <span>
 
 #include "app/render_picture.h"
+#include "film/cryptomatte.h"
 #include "film/part_totals.h"
 #include "tracer/apparent_motion.h"
 #include "tracer/camera_sampler.h"
+#include "tracer/cover_counts.h"
 #include "tracer/exposed_camera.h"
 
 namespace restframe {
@@ -45,6 +47,7 @@ struct PictureView {
   CameraSampler sampler;
   ExposedCamera camera;
   BlockPattern pattern;
+  MatteIds mattes;
   bool measured;  // how sure pixels are
   std::optional<ApparentMotion> motion;
 
@@ -54,6 +57,7 @@ struct PictureView {
         window(pixels),
         sampler(of.scene),
         camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
+        mattes(matte_ids(of.scene)),
         measured(measures_noise(of.scene)) {
     if (!wants(of.scene.output, Layer::motion)) return;
     motion.emplace(of.scene, camera, picture_time(of.scene.animation, picture + 1));
@@ -71,8 +75,9 @@ struct Block {
   int left, top;
   PixelWindow within;  // the part of it that is in the picture
   PixelLanes pixels;
-  Lanes<std::int32_t> active;  // lanes off the picture stay inactive
-  PacketId id;                 // of the sample at hand
+  Lanes<std::int32_t> active;     // lanes off the picture stay inactive
+  PacketId id;                    // of the sample at hand
+  CoverCounts* covers = nullptr;  // of all samples; null: not wanted
 
   Block(const PictureView& of, const Tracer& by, TemporalEvaluator& with, int x, int y)
       : view(of), integrator(by), evaluator(with), left(x), top(y) {
@@ -101,9 +106,10 @@ void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
 
 template <class Tracer>
 void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
-                          RadianceLanes& radiance, SampleParts* parts, Picture& picture) {
+                          RadianceLanes& radiance, SampleLayers layers, Picture& picture) {
   SurfaceDataLanes data;
-  trace(block, 0, sample, radiance, {&data, parts});
+  layers.data = &data;
+  trace(block, 0, sample, radiance, layers);
   for (int i = 0; block.view.motion && i < packet_size; ++i) {
     if (!data[i].hit) continue;
     data[i].motion = (*block.view.motion)(data[i], {sample.film_x[i], sample.film_y[i]});
@@ -117,7 +123,7 @@ void render_data(const Block<Tracer>& block, Picture& picture) {
   CameraSample sample;
   block.view.sampler.take_center(block.pixels, sample);
   RadianceLanes unused;
-  trace_and_store_data(block, sample, unused, nullptr, picture);
+  trace_and_store_data(block, sample, unused, {}, picture);
 }
 
 // samples: of each exposure.
@@ -142,6 +148,15 @@ void store(const Block<Tracer>& block, const RadianceLanes& radiance, Picture& p
     picture.set_radiance_row(
         within.left, y,
         lanes.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(within.width)));
+  }
+}
+
+template <class Tracer>
+void store_mattes(const Block<Tracer>& block, int samples, Picture& picture) {
+  for (const MatteKind kind : picture.mattes()) {
+    for_pixels(block, [&](int x, int y, int lane) {
+      picture.set_matte(x, y, kind, matte_ranks(block.covers->of(kind, lane), samples));
+    });
   }
 }
 

@@ -9,6 +9,7 @@
 #include "app/signals.h"
 #include "film/exposures.h"
 #include "scene/error.h"
+#include "scene/light_groups.h"
 #include "scene/parallel.h"
 
 namespace restframe {
@@ -39,10 +40,11 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
     sampler.take(block.pixels, starts, index, sample);
     RadianceLanes next;
     RadianceLanes& radiance = index == 0 ? sum : next;
+    const SampleLayers layers{nullptr, block.covers, parts.sample()};
     if (with_data && id.sample == 0) {
-      trace_and_store_data(block, sample, radiance, parts.sample(), picture);
+      trace_and_store_data(block, sample, radiance, layers, picture);
     } else {
-      trace(block, exposure, sample, radiance, {nullptr, parts.sample()});
+      trace(block, exposure, sample, radiance, layers);
     }
     if (parts.are_wanted()) parts.add_sample();
     if (index > 0) add(sum, next);
@@ -62,16 +64,16 @@ int aligned(int coordinate, int step) {
 }
 
 template <class Tracer>
-void render_block(Block<Tracer>&& block, Picture& picture) {
+void render_block(Block<Tracer>& block, Picture& picture) {
   const Scene& scene = block.view.context.scene;
   const PictureView& view = block.view;
   const bool data_apart = picture.has_data() && (view.sampler.spreads() || view.measured);
   if (data_apart) render_data(block, picture);
-  const bool has_light = picture.has_beauty() || picture.has_parts();
-  if (data_apart && !has_light) return;
+  const bool all_samples = picture.has_beauty() || picture.has_parts() || block.covers != nullptr;
+  if (data_apart && !all_samples) return;
   if (view.measured) return render_measured(block, picture);
-  const int samples = has_light ? scene.render.samples : 1;
-  const int exposures = has_light ? scene.exposure.count : 1;
+  const int samples = all_samples ? scene.render.samples : 1;
+  const int exposures = all_samples ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
   PartTotals parts(picture.part_columns(), scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
@@ -83,6 +85,7 @@ void render_block(Block<Tracer>&& block, Picture& picture) {
   }
   store(block, total.combined(), picture);
   store_parts(block, parts, samples, picture);
+  store_mattes(block, samples * exposures, picture);
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
 
@@ -106,9 +109,14 @@ template <class Tracer>
 void render_tile(const PictureView& view, const Tracer& integrator, const PixelWindow& tile,
                  Picture& picture) {
   std::unique_ptr<TemporalEvaluator> evaluator = view.context.evaluators.take();
+  const auto covers =
+      picture.mattes().empty() ? nullptr : std::make_unique<CoverCounts>(view.mattes);
   for (int y = aligned(tile.top, block_side); y < tile.bottom(); y += block_side) {
     for (int x = aligned(tile.left, block_side); x < tile.right(); x += block_side) {
-      render_block(Block<Tracer>(view, integrator, *evaluator, x, y), picture);
+      Block<Tracer> block(view, integrator, *evaluator, x, y);
+      block.covers = covers.get();
+      if (covers) covers->clear();
+      render_block(block, picture);
     }
   }
   check_fault(view.context.scene, *evaluator);

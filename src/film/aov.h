@@ -3,11 +3,13 @@
 // The one table of layers: what each is called in a scene file and in an EXR, and where its values
 // come from (design, section 7).
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "scene/settings.h"
+#include "tracer/cover_counts.h"
 #include "tracer/sample.h"
 #include "tracer/sample_parts.h"
 
@@ -56,6 +58,7 @@ struct LayerInfo {
   const char* scene_name;                             // in the scene file's output.layers
   std::span<const DataChannel> channels;              // empty for the beauty
   std::span<const StatisticChannel> statistics = {};  // of the beauty
+  std::optional<MatteKind> matte = {};                // Cryptomatte's channels, by scene_name
   // Of SampleParts, whose layer is called as in the scene file; of the light groups: the first, and
   // there are as many layers as groups.
   int column = no_column;
@@ -69,5 +72,8 @@ std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers);
 // groups: of the scene's lights, but for the rest.
 std::vector<PartLayer> part_layers(std::span<const Layer> layers,
                                    std::span<const std::string> groups);
+
+// Those of these layers that are mattes, likewise.
+std::vector<LayerInfo> matte_layers(std::span<const Layer> layers);
 
 }  // namespace restframe

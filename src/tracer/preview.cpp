@@ -2,6 +2,7 @@
 
 #include "physics/clones.h"
 #include "scene/light_groups.h"
+#include "tracer/cover_counts.h"
 #include "tracer/footprint.h"
 #include "tracer/shading_normal.h"
 
@@ -11,6 +12,15 @@ namespace {
 // Below this much light from behind, what lies behind is left out.
 constexpr float least_transmittance = 1e-4F;
 constexpr std::uint32_t most_layers = 1000;
+
+// Of surfaces that cover all that lies behind.
+void count_covers(const FrameSet& frames, const RayPacket& rays, const HitPacket& hits,
+                  const SurfaceLanes& surfaces, CoverCounts& covers) {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (rays.active[lane] == 0 || hits.frame[lane] < 0) continue;
+    count_cover(frames, hits, surfaces, lane, 1.0F, covers);
+  }
+}
 
 }  // namespace
 
@@ -185,8 +195,11 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
     frames_.nearest(rays, hits);
     surfaces_at(scene_, frames_, hits, rays.active, surfaces);
     if (layer == 0) {
-      if (data == nullptr && parts == nullptr && shade_simple(rays, hits, surfaces, radiance))
+      const bool only_light = data == nullptr && parts == nullptr;
+      if (only_light && shade_simple(rays, hits, surfaces, radiance)) {
+        if (layers.covers != nullptr) count_covers(frames_, rays, hits, surfaces, *layers.covers);
         return;
+      }
       radiance.fill(Vec4f(0));
     }
     passing = false;
@@ -196,9 +209,8 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
       if (hits.frame[lane] < 0) continue;
       const Met met{rays, surfaces, hits, lane};
       const Vec4f shaded = shade(met, evaluator);
-      if (parts != nullptr) {
-        add_parts(met, 1.0F - radiance[lane].w, shaded, evaluator, *parts);
-      }
+      const float covered = radiance[lane].w;
+      if (parts != nullptr) add_parts(met, 1.0F - covered, shaded, evaluator, *parts);
       radiance[lane] += (1.0F - radiance[lane].w) * shaded;  // behind what is in front
       if (data != nullptr && !(*data)[lane].hit &&
           random_unit(id, lane, Dimension::opacity, layer) < shaded.w) {
@@ -211,6 +223,8 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
         rays.active[lane] = -1;
         passing = true;
       }
+      if (layers.covers == nullptr) continue;
+      count_cover(frames_, hits, surfaces, lane, radiance[lane].w - covered, *layers.covers);
     }
   }
 }

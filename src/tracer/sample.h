@@ -29,10 +29,12 @@ struct SurfaceData {
 using SurfaceDataLanes = Lanes<SurfaceData>;
 
 struct SampleParts;
+class CoverCounts;
 
 // What is wanted of 16 samples besides their light; null: not wanted.
 struct SampleLayers {
   SurfaceDataLanes* data = nullptr;
+  CoverCounts* covers = nullptr;  // to be added to
   SampleParts* parts = nullptr;
 };
 
