@@ -55,7 +55,10 @@ struct MeasuredBlock {
   // they are without overscan.
   Lanes<std::int32_t> judged;
 
-  explicit MeasuredBlock(Block<Tracer>& of) : block(of), coverage(exposure()) {
+  PartTotals parts;
+
+  MeasuredBlock(Block<Tracer>& of, const Picture& picture)
+      : block(of), coverage(exposure()), parts(picture.part_columns(), exposure()) {
     const bool mean = exposure().combine == Combine::mean;
     scale = mean ? 1.0F / static_cast<float>(exposure().count) : 1.0F;
     judge();
@@ -79,7 +82,8 @@ struct MeasuredBlock {
       CameraSample where;
       block.view.sampler.draw(block.pixels, random, where);
       RadianceLanes radiance;
-      trace(block, number, where, radiance, {nullptr, block.covers});
+      trace(block, number, where, radiance, {nullptr, block.covers, parts.sample()});
+      if (parts.are_wanted()) parts.add_sample();
       replicates.add(sample % replicate_count, radiance, scale);
       coverage.add(number, radiance);
       if (number == 0) replicates.count(sample % replicate_count);
@@ -103,6 +107,7 @@ struct MeasuredBlock {
       if (coverage.is_wanted()) radiance[i].w = coverage.coverage(i, replicates.samples());
     }
     store(block, radiance, picture);
+    store_parts(block, parts, replicates.samples(), picture);
     const int samples = replicates.samples() * exposure().count;
     store_mattes(block, samples, picture);
     if (!picture.has_statistics()) return;
@@ -127,7 +132,7 @@ struct MeasuredBlock {
 
 template <class Tracer>
 void render_measured(Block<Tracer>& block, Picture& picture) {
-  MeasuredBlock<Tracer> measured(block);
+  MeasuredBlock<Tracer> measured(block, picture);
   measured.take_all();
   measured.store_in(picture);
 }

@@ -10,6 +10,7 @@
 #include "app/signals.h"
 #include "film/exposures.h"
 #include "scene/error.h"
+#include "scene/light_groups.h"
 #include "scene/parallel.h"
 
 namespace restframe {
@@ -24,7 +25,7 @@ void add(RadianceLanes& sum, const RadianceLanes& radiance) {
 // The sum over the samples of one exposure; data layers are those of the very first sample.
 template <class Tracer>
 void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_data,
-                     RadianceLanes& sum, Picture& picture) {
+                     RadianceLanes& sum, PartTotals& parts, Picture& picture) {
   const CameraSampler& sampler = block.view.sampler;
   PacketId& id = block.id;
   const int bits = bits_for(samples);
@@ -41,11 +42,13 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
     sampler.take(block.pixels, starts, index, sample);
     RadianceLanes next;
     RadianceLanes& radiance = index == 0 ? sum : next;
+    const SampleLayers layers{nullptr, block.covers, parts.sample()};
     if (with_data && id.sample == 0) {
-      trace_and_store_data(block, sample, radiance, block.covers, picture);
+      trace_and_store_data(block, sample, radiance, layers, picture);
     } else {
-      trace(block, exposure, sample, radiance, {nullptr, block.covers});
+      trace(block, exposure, sample, radiance, layers);
     }
+    if (parts.are_wanted()) parts.add_sample();
     if (index > 0) add(sum, next);
   }
 }
@@ -68,18 +71,21 @@ void render_block(Block<Tracer>& block, Picture& picture) {
   const PictureView& view = block.view;
   const bool data_apart = picture.has_data() && (view.sampler.spreads() || view.measured);
   if (data_apart) render_data(block, picture);
-  const bool all_samples = picture.has_beauty() || block.covers != nullptr;
+  const bool all_samples = picture.has_beauty() || picture.has_parts() || block.covers != nullptr;
   if (data_apart && !all_samples) return;
   if (view.measured) return render_measured(block, picture);
   const int samples = all_samples ? scene.render.samples : 1;
   const int exposures = all_samples ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
+  PartTotals parts(picture.part_columns(), scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
     RadianceLanes sum;
-    render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
+    render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, parts,
+                    picture);
     total.add(sum, 1.0F / static_cast<float>(samples));
   }
   store(block, total.combined(), picture);
+  store_parts(block, parts, samples, picture);
   store_mattes(block, samples * exposures, picture);
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
@@ -135,15 +141,14 @@ std::size_t samples_a_pixel(const Scene& scene) {
 }
 
 bool measures_noise(const Scene& scene) {
-  const auto wants = [&](Layer layer) {
-    const std::vector<Layer>& layers = scene.output.layers;
-    return std::find(layers.begin(), layers.end(), layer) != layers.end();
-  };
-  return wants(Layer::beauty) && (scene.render.noise > 0.0 || wants(Layer::variance));
+  const OutputSettings& output = scene.output;
+  return wants(output, Layer::beauty) &&
+         (scene.render.noise > 0.0 || wants(output, Layer::variance));
 }
 
 Picture blank_picture(const Scene& scene) {
-  return {picture_window(scene.render), scene.output.layers, {scene.light_speed}};
+  return {
+      picture_window(scene.render), scene.output.layers, {scene.light_speed}, light_groups(scene)};
 }
 
 std::vector<Picture> blank_views(const Scene& scene) {

@@ -103,7 +103,15 @@ enum class Layer : std::uint8_t {
   apparent_normal,
   crypto_object,
   crypto_material,
-  crypto_asset
+  crypto_asset,
+  emission,
+  direct,
+  indirect,
+  reflection,
+  transmission,
+  lights,
+  albedo,
+  motion,
 };
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab, b44, b44a };
@@ -142,5 +150,9 @@ struct OutputSettings {
   double exposure = 0;  // of the preview: stops by which it is brightened
   ViewTransform view = ViewTransform::srgb;
 };
+
+inline bool wants(const OutputSettings& output, Layer layer) {
+  return has_layer(output.layers, layer);
+}
 
 }  // namespace restframe
