@@ -87,6 +87,15 @@ TEST(Canonical, ChangesWithTheCamera) {
       {"aperture", [](Scene& s) { s.camera.aperture = 0.1; }},
       {"focus", [](Scene& s) { s.camera.focus = 0.1; }},
       {"rolling", [](Scene& s) { s.camera.rolling = 0.1; }},
+      {"two eyes", [](Scene& s) { s.camera.stereo.emplace(); }},
+      {"separation",
+       [](Scene& s) {
+         s.camera.stereo = StereoSettings{0.1, 0};
+       }},
+      {"convergence",
+       [](Scene& s) {
+         s.camera.stereo = StereoSettings{0.1, 1};
+       }},
   });
 }
 
@@ -205,6 +214,19 @@ TEST(Canonical, ChangesWithSettings) {
       {"seed", [](Scene& s) { s.render.seed = ~0ULL; }},
       {"layers", [](Scene& s) { s.output.layers.push_back(Layer::time); }},
       {"compression", [](Scene& s) { s.output.compression = Compression::dwaa; }},
+      {"compression level", [](Scene& s) { s.output.compression_level = 46; }},
+      {"half", [](Scene& s) { s.output.half_layers = {Layer::z}; }},
+      {"float", [](Scene& s) { s.output.float_layers = {Layer::z}; }},
+      {"split", [](Scene& s) { s.output.split = true; }},
+      {"overscan", [](Scene& s) { s.render.overscan = 1; }},
+      {"crop",
+       [](Scene& s) {
+         s.render.crop = PixelWindow{0, 0, 2, 2};
+       }},
+      {"another crop",
+       [](Scene& s) {
+         s.render.crop = PixelWindow{1, 0, 2, 2};
+       }},
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/render_picture.h"
 #include "film/cryptomatte.h"
+#include "tracer/apparent_surface.h"
 #include "tracer/camera_sampler.h"
 #include "tracer/cover_counts.h"
 #include "tracer/exposed_camera.h"
@@ -39,21 +40,27 @@ void place_block(const BlockPattern& pattern, int left, int top, const PixelWind
 struct PictureView {
   const RenderContext& context;
   int number;
-  PixelWindow window;
+  PixelWindow window;  // that is kept ...
+  // ... of all that could be: packets are the same whichever part is kept, and so are pixels.
+  PixelWindow whole;
   CameraSampler sampler;
   ExposedCamera camera;
   BlockPattern pattern;
   MatteIds mattes;
   bool measured;  // how sure pixels are
+  bool apparent;  // surfaces as the camera sees them are among the data layers
 
-  PictureView(const RenderContext& of, int picture, const PixelWindow& pixels)
+  PictureView(const RenderContext& of, int picture, const PixelWindow& pixels, Eye eye)
       : context(of),
         number(picture),
         window(pixels),
+        whole(whole_window(of.scene.render)),
         sampler(of.scene),
-        camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
+        camera(of.scene, sampler, picture_time(of.scene.animation, picture), eye),
         mattes(matte_ids(of.scene)),
-        measured(measures_noise(of.scene)) {}
+        measured(measures_noise(of.scene)),
+        apparent(has_layer(of.scene.output.layers, Layer::depth) ||
+                 has_layer(of.scene.output.layers, Layer::apparent_normal)) {}
 };
 
 // A square of pixels that is rendered as one packet after the other.
@@ -63,9 +70,9 @@ struct Block {
   const Tracer& integrator;
   TemporalEvaluator& evaluator;
   int left, top;
-  PixelWindow within;  // the part of it that is in the picture
+  PixelWindow within;  // the part of it that is kept
   PixelLanes pixels;
-  Lanes<std::int32_t> active;     // lanes off the picture stay inactive
+  Lanes<std::int32_t> active;     // lanes beyond the display and its overscan stay inactive
   PacketId id;                    // of the sample at hand
   CoverCounts* covers = nullptr;  // of all samples; null: not wanted
 
@@ -74,14 +81,15 @@ struct Block {
     within = common_part({left, top, block_side, block_side}, view.window);
     id.seed = view.context.scene.render.seed;
     id.picture = static_cast<std::uint32_t>(view.number);
-    place_block(view.pattern, left, top, within, pixels, active, id.pixel);
+    place_block(view.pattern, left, top, view.whole, pixels, active, id.pixel);
   }
 };
 
 template <class Tracer, class Store>
 void for_pixels(const Block<Tracer>& block, const Store& store) {
   for (int lane = 0; lane < packet_size; ++lane) {
-    if (block.active[lane] != 0) store(block.pixels.x[lane], block.pixels.y[lane], lane);
+    const int x = block.pixels.x[lane], y = block.pixels.y[lane];
+    if (contains(block.within, {x, y, 1, 1})) store(x, y, lane);
   }
 }
 
@@ -99,7 +107,12 @@ void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample
                           RadianceLanes& radiance, CoverCounts* covers, Picture& picture) {
   SurfaceDataLanes data;
   trace(block, 0, sample, radiance, {&data, covers});
-  for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
+  for_pixels(block, [&](int x, int y, int lane) {
+    if (block.view.apparent && data[lane].hit) {
+      set_apparent(block.view.camera.pose(0, sample, lane), data[lane]);
+    }
+    picture.set_data(x, y, data[lane]);
+  });
 }
 
 // Data layers of samples that are spread over time or the lens: no sample is the ray they hold.

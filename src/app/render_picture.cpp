@@ -142,8 +142,11 @@ bool measures_noise(const Scene& scene) {
 }
 
 Picture blank_picture(const Scene& scene) {
-  return {
-      {0, 0, scene.render.width, scene.render.height}, scene.output.layers, {scene.light_speed}};
+  return {picture_window(scene.render), scene.output.layers, {scene.light_speed}};
+}
+
+std::vector<Picture> blank_views(const Scene& scene) {
+  return std::vector<Picture>(eyes_of(scene.camera).size(), blank_picture(scene));
 }
 
 std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
@@ -156,8 +159,8 @@ std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
   return tiles;
 }
 
-void render_picture(const RenderContext& context, int number, Picture& picture) {
-  const PictureView view(context, number, picture.window());
+void render_picture(const RenderContext& context, int number, Picture& picture, Eye eye) {
+  const PictureView view(context, number, picture.window(), eye);
   const std::vector<PixelWindow> tiles = picture_tiles(picture.window());
   std::visit(
       [&](const auto& integrator) {
@@ -166,6 +169,13 @@ void render_picture(const RenderContext& context, int number, Picture& picture) 
         });
       },
       context.integrator);
+}
+
+void render_views(const RenderContext& context, int number, std::vector<Picture>& views) {
+  const std::vector<Eye> eyes = eyes_of(context.scene.camera);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    render_picture(context, number, views[i], eyes[i]);
+  }
 }
 
 }  // namespace restframe

@@ -52,6 +52,14 @@ struct LayerInfo {
 
 std::span<const LayerInfo> layer_table();
 
+// Names of layers, in the table's order.
+std::vector<std::string> layer_names(std::span<const Layer> layers);
+
+// The layer of a picture's channel: "N.X" is of "N", "time_world.V" of "time", "R" of "beauty".
+std::string layer_of_channel(const std::string& exr_name);
+// Whether it is only looked at: a lossy compression may change it.
+bool is_light(const std::string& layer_name);
+
 // The channels of these layers, in the table's order.
 std::vector<DataChannel> data_channels(std::span<const Layer> layers);
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers);

@@ -210,6 +210,25 @@ void add_exposure(Listing& list, const ExposureSettings& exposure) {
   list.add("exposure.combine", static_cast<int>(exposure.combine));
 }
 
+std::string text_of(const PixelWindow& window) {
+  return fmt::format("{} {} {} {}", window.left, window.top, window.width, window.height);
+}
+
+std::string text_of(const std::vector<Layer>& layers) {
+  std::string text;
+  for (const Layer layer : layers) text += fmt::format("{} ", static_cast<int>(layer));
+  return text;
+}
+
+void add_output(Listing& list, const OutputSettings& output) {
+  list.add("output.layers", text_of(output.layers));
+  list.add("output.half", text_of(output.half_layers));
+  list.add("output.float", text_of(output.float_layers));
+  list.add("output.compression", static_cast<int>(output.compression));
+  list.add("output.compression_level", output.compression_level);
+  list.add("output.split", output.split ? "true" : "false");
+}
+
 }  // namespace
 
 std::string canonical_settings(const Scene& scene) {
@@ -220,6 +239,8 @@ std::string canonical_settings(const Scene& scene) {
   list.add("animation.start", scene.animation.start);
   add_exposure(list, scene.exposure);
   list.add("render.resolution", fmt::format("{} {}", scene.render.width, scene.render.height));
+  list.add("render.overscan", scene.render.overscan);
+  list.add("render.window", text_of(picture_window(scene.render)));
   list.add("render.samples", scene.render.samples);
   list.add("render.noise", scene.render.noise);
   list.add("render.integrator", static_cast<int>(scene.render.integrator));
@@ -230,11 +251,7 @@ std::string canonical_settings(const Scene& scene) {
     list.add("render.observe", fmt::format("{:.17g} {:.17g}", band->from, band->to));
   }
   list.add("render.seed", fmt::format("{}", scene.render.seed));
-  std::string layers;
-  for (const Layer layer : scene.output.layers)
-    layers += fmt::format("{} ", static_cast<int>(layer));
-  list.add("output.layers", layers);
-  list.add("output.compression", static_cast<int>(scene.output.compression));
+  add_output(list, scene.output);
   add_meshes(list, scene.meshes);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     add_object(list, scene.objects[i], fmt::format("object.{}", i));

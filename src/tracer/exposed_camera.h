@@ -16,10 +16,14 @@ namespace restframe {
 class ExposedCamera {
  public:
   // opening: the camera's time at which the first exposure opens. Throws as pose_at.
-  ExposedCamera(const Scene& scene, const CameraSampler& sampler, double opening);
+  ExposedCamera(const Scene& scene, const CameraSampler& sampler, double opening,
+                Eye eye = Eye::centre);
 
   // Origins, wave vectors and s_min of the rays of one sample of an exposure. Throws as pose_at.
   void rays(int exposure, const CameraSample& sample, RayPacket& rays) const;
+
+  // Where the camera is, and how it is turned, as the ray of `lane` begins.
+  CameraPose pose(int exposure, const CameraSample& sample, int lane) const;
 
  private:
   struct Moment {
@@ -32,6 +36,7 @@ class ExposedCamera {
   void changing_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
 
   const Scene& scene_;
+  Eye eye_;
   bool is_pinhole_, is_instant_, is_steady_;
   double pixels_a_ray_ = 0;       // on the film, the side of what each stands for; 0: nobody asks
   std::vector<Moment> openings_;  // of each exposure
