@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "support/program.h"
+#include "support/temporary_folder.h"
 
 namespace restframe {
 namespace {
@@ -95,6 +96,10 @@ struct Shell {
   const char* script;
 };
 
+void PrintTo(const Shell& shell, std::ostream* out) {
+  *out << shell.name;
+}
+
 constexpr Shell kBash = {"bash", R"(
 source "$0"
 COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
@@ -118,7 +123,7 @@ true)"};
 class Completion : public testing::TestWithParam<Shell> {
  protected:
   void SetUp() override {
-    const RunResult shell = run_program("/usr/bin/env", {GetParam().name, "-c", "exit 0"});
+    const RunResult shell = run_program("/usr/bin/env", {GetParam().name, "--version"});
     if (shell.exit_code != 0) GTEST_SKIP() << GetParam().name << " is not installed";
   }
 
@@ -126,7 +131,14 @@ class Completion : public testing::TestWithParam<Shell> {
     const Shell& shell = GetParam();
     const std::string source =
         std::string(RESTFRAME_SOURCE_DIR "/src/package/restframe.") + shell.name;
-    std::vector<std::string> arguments = {shell.name, "-c", shell.script, source,
+    const TemporaryFolder home;  // fish keeps a file there
+    std::vector<std::string> arguments = {"HOME=" + home.path().string(),
+                                          "XDG_CONFIG_HOME=" + home.path().string(),
+                                          "XDG_DATA_HOME=" + home.path().string(),
+                                          shell.name,
+                                          "-c",
+                                          shell.script,
+                                          source,
                                           RESTFRAME_PROGRAM};
     arguments.insert(arguments.end(), words.begin(), words.end());
     const RunResult result = run_program("/usr/bin/env", arguments);
