@@ -11,6 +11,7 @@ packages_build=(
 packages_test=(libgtest-dev libgmock-dev assimp-testmodels)
 packages_bench=(libbenchmark-dev)
 packages_blender=(blender python3-numpy) # tests/clients/blender.sh
+packages_cluster=(slurmctld slurmd slurm-client munge) # tests/cluster.sh
 packages_compare=(embree-tools) # tests/bench/compare.sh, with those of Blender
 packages_package=(dpkg-dev file man-db groff-base lintian mandoc mmdebstrap) # tests/package.sh
 packages_ci=(clang clang-format clang-tidy libclang-rt-14-dev lld shellcheck zsh fish)
