@@ -27,9 +27,9 @@ Picture first_picture(const Scene& scene) {
 }
 
 double doppler_in_the_middle(const Picture& picture) {
-  for (const ChannelPixels& pixels : picture.channels()) {
-    if (pixels.channel.exr_name == std::string("doppler.D")) {
-      return static_cast<double>(pixels.values[pixels.values.size() / 2]);
+  for (const Plane& plane : picture.planes()) {
+    if (plane.name == "doppler.D") {
+      return static_cast<double>(plane.values[plane.values.size() / 2]);
     }
   }
   throw InputError("the scene asks for no layer \"doppler\"");
