@@ -13,6 +13,8 @@ if(NOT PREFIX)
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${PREFIX})
 endif()
 
+run(${PREFIX}/bin/restframe --version)
+
 # Whatever an installed header includes is installed.
 set(include ${PREFIX}/include/restframe)
 file(GLOB headers RELATIVE ${include} ${include}/*/*.h)

@@ -70,7 +70,7 @@ check_files() {
   for file in bin/restframe share/man/man1/restframe.1.gz share/bash-completion/completions/restframe \
     share/zsh/vendor-completions/_restframe share/fish/vendor_completions.d/restframe.fish \
     share/doc/restframe/{README.md,copyright,changelog.gz,changelog.Debian.gz,scenes/reference.md} \
-    share/doc/librestframe-dev/{copyright,changelog.gz} lib/cmake/restframe/restframe-config.cmake; do
+    share/doc/librestframe-dev/{copyright,changelog.gz,examples/main.cpp} lib/cmake/restframe/restframe-config.cmake; do
     [ -s "$work/root/usr/$file" ] || fail "/usr/$file is missing"
   done
   if [ -d "$tests/../importers/blender" ] && [ ! -d "$work/root/usr/share/restframe/blender" ]; then
