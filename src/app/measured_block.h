@@ -74,7 +74,7 @@ struct MeasuredBlock {
       CameraSample where;
       block.view.sampler.draw(block.pixels, random, where);
       RadianceLanes radiance;
-      trace(block, number, where, radiance, {});
+      trace(block, number, where, radiance, {nullptr, block.covers});
       replicates.add(sample % replicate_count, radiance, scale);
       coverage.add(number, radiance);
       if (number == 0) replicates.count(sample % replicate_count);
@@ -101,8 +101,9 @@ struct MeasuredBlock {
       if (coverage.is_wanted()) radiance[i].w = coverage.coverage(i, replicates.samples());
     }
     store(block, radiance, picture);
-    if (!picture.has_statistics()) return;
     const int samples = replicates.samples() * exposure().count;
+    store_mattes(block, samples, picture);
+    if (!picture.has_statistics()) return;
     for_pixels(block, [&](int x, int y, int lane) {
       picture.set_statistics(x, y, {replicates.variance(lane), samples});
     });

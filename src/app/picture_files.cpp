@@ -117,6 +117,7 @@ PictureInfo common_info(const Scene& scene) {
                 {"seed", std::to_string(scene.render.seed)},
                 {settings_attribute, canonical_settings(scene)},
                 {sources_attribute, sources_text(scene)}};
+  for (auto& text : cryptomatte_texts(scene)) info.texts.push_back(std::move(text));
   return info;
 }
 
