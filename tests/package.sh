@@ -73,9 +73,8 @@ check_files() {
     share/doc/librestframe-dev/{copyright,changelog.gz,examples/main.cpp} lib/cmake/restframe/restframe-config.cmake; do
     [ -s "$work/root/usr/$file" ] || fail "/usr/$file is missing"
   done
-  if [ -d "$tests/../importers/blender" ] && [ ! -d "$work/root/usr/share/restframe/blender" ]; then
-    fail "/usr/share/restframe/blender is missing"
-  fi
+  file=/usr/share/restframe/restframe_addon.zip
+  if [ -d "$tests/../importers/blender" ] && [ ! -s "$work/root$file" ]; then fail "$file is missing"; fi
 }
 
 check_packages() {
