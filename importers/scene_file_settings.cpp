@@ -20,11 +20,11 @@ const std::vector<std::string> layer_names = {"beauty",
                                               "id",
                                               "variance",
                                               "samples",
+                                              "depth",
+                                              "normal",
                                               "crypto_object",
                                               "crypto_material",
-                                              "crypto_asset",
-                                              "depth",
-                                              "normal"};
+                                              "crypto_asset"};
 const std::vector<std::string> compression_names = {"none",  "rle",  "zips", "zip", "piz",
                                                     "pxr24", "dwaa", "dwab", "b44", "b44a"};
 

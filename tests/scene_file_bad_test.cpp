@@ -82,6 +82,13 @@ TEST_F(BadScene, UnknownKeysNameTheNearest) {
   });
 }
 
+TEST_F(BadScene, MattesAreFloat) {
+  check({
+      {in_section("output", "half = [\"crypto_object\"]\nlayers = [\"crypto_object\"]"),
+       {"2:8: ", "\"crypto_object\" must stay float"}},
+  });
+}
+
 TEST_F(BadScene, WhatThisVersionDoesNotDo) {
   const auto none = [](const std::string& word) {
     return "\"" + word + "\" is not supported by this version of restframe";

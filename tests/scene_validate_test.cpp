@@ -183,12 +183,23 @@ TEST(Validate, Lens) {
   one([](Camera& c) { c.rolling = -1; }, "rolling is -1, must be from 0");
 }
 
-TEST(Validate, MattesAreFloat) {
-  EXPECT_THAT(faults([](Scene& s) {
-                s.output.layers = {Layer::beauty, Layer::crypto_material};
-                s.output.half_layers = {Layer::crypto_material};
-              }),
-              ElementsAre(HasSubstr("half")));
+TEST(Validate, Mattes) {
+  const auto with = [](const std::vector<Layer>& halves) {
+    return faults([&](Scene& s) {
+      s.output.layers = {Layer::beauty, Layer::crypto_material};
+      s.output.half_layers = halves;
+      s.output.compression = Compression::dwaa;  // not of them
+    });
+  };
+  EXPECT_THAT(with({}), IsEmpty());
+  EXPECT_THAT(with({Layer::crypto_material}), ElementsAre(HasSubstr("half can not hold")));
+  for (const int name : {-2, 1}) {
+    EXPECT_THAT(faults([&](Scene& s) {
+                  s.objects[0].part_names = {"only"};
+                  s.objects[0].parts[0].name = name;
+                }),
+                ElementsAre(HasSubstr("of 1")));
+  }
 }
 
 TEST(Validate, Camera) {

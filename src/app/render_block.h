@@ -109,7 +109,9 @@ void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample
   trace(block, 0, sample, radiance, {&data, covers});
   for_pixels(block, [&](int x, int y, int lane) {
     if (block.view.apparent && data[lane].hit) {
-      set_apparent(block.view.camera.pose(0, sample, lane), data[lane]);
+      const auto object = static_cast<std::size_t>(data[lane].object);
+      set_apparent(block.view.camera.sight(0, sample, lane),
+                   block.view.context.scene.objects[object].worldline.velocity, data[lane]);
     }
     picture.set_data(x, y, data[lane]);
   });

@@ -99,11 +99,11 @@ enum class Layer : std::uint8_t {
   id,
   variance,
   samples,
+  depth,
+  apparent_normal,
   crypto_object,
   crypto_material,
-  crypto_asset,
-  depth,
-  apparent_normal
+  crypto_asset
 };
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab, b44, b44a };

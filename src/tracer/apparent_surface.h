@@ -1,11 +1,12 @@
 #pragma once
 
-#include "scene/camera.h"
+#include "tracer/exposed_camera.h"
 #include "tracer/sample.h"
 
 namespace restframe {
 
-// Sets what a camera at `pose` makes of a surface that it hits: its depth, and its normal as it appears.
+// How a surface that is hit looks to the camera, whose ray this is: sets its depth, and its normal as it
+// appears. `velocity`: the surface's.
 //
 // What a camera sees at one moment are events of many times. Laid out in its rest frame, each at the
 // distance that its light travelled, they form the surface that it believes to see: what moves is
@@ -18,15 +19,18 @@ namespace restframe {
 // time part. Along d it is N.k, the same number in every frame, and negative for a normal towards the
 // camera: what faces an observer appears to face every other one at that event. Across d it is that of
 // N_x. Neither is a difference of large numbers.
-inline void set_apparent(const CameraPose& pose, SurfaceData& data) {
-  const Boost<in::Camera, in::World> camera_from_world = pose.world_from_camera.inverse();
-  const Vec3 d = sight_direction(camera_from_world(data.sight));
-  const Vec3 sheet_normal = camera_from_world(data.sheet_normal).x;
-  const Vec3 normal = sheet_normal + (data.facing - glm::dot(sheet_normal, d)) * d;
+inline void set_apparent(const CameraSight& sight, const Velocity& velocity, SurfaceData& data) {
+  const Boost<in::Rest, in::World> rest_from_world(velocity);
+  const Vec3& d = sight.direction;
+  const WaveVector<in::World> k = sight.pose.world_from_camera(looking_along<in::Camera>(d));
+  const double facing = glm::dot(data.normal, rest_from_world(k).x);
+  const Displacement<in::World> world_normal =
+      rest_from_world.inverse()(Displacement<in::Rest>{0, data.normal});
+  const Vec3 across = sight.pose.world_from_camera.inverse()(world_normal).x;
+  const Vec3 normal = across + (facing - glm::dot(across, d)) * d;
   const double length = glm::length(normal);
-  const Mat3 axes_from_camera = glm::transpose(pose.axes);
-  data.depth = -data.distance * glm::dot(d, pose.axes[2]);
-  if (length > 0.0) data.apparent_normal = axes_from_camera * normal / length;
+  data.depth = -data.distance * glm::dot(d, sight.pose.axes[2]);
+  if (length > 0.0) data.apparent_normal = glm::transpose(sight.pose.axes) * normal / length;
 }
 
 }  // namespace restframe

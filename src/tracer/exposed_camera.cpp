@@ -70,9 +70,11 @@ RESTFRAME_CLONES void ExposedCamera::rays(int exposure, const CameraSample& samp
   }
 }
 
-CameraPose ExposedCamera::pose(int exposure, const CameraSample& sample, int lane) const {
+CameraSight ExposedCamera::sight(int exposure, const CameraSample& sample, int lane) const {
   const Moment& opening = openings_[static_cast<std::size_t>(exposure)];
-  return is_instant_ ? opening.pose : moment_at(opening.time + sample.after_opening[lane]).pose;
+  const Moment moment =
+      is_instant_ ? opening : moment_at(opening.time + sample.after_opening[lane]);
+  return {moment.pose, moment.projection.direction(sample.film_x[lane], sample.film_y[lane])};
 }
 
 // One boost and one projection for all lanes: only the event moves.

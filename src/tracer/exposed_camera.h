@@ -8,6 +8,12 @@
 
 namespace restframe {
 
+// A ray as the camera has it.
+struct CameraSight {
+  CameraPose pose;  // as it begins
+  Vec3 direction;   // unit, in the camera's rest frame
+};
+
 // The camera during the exposures of one picture: from samples to rays.
 //
 // A ray begins at its own moment of the camera's time, on the lens at rest in the camera's frame:
@@ -22,8 +28,8 @@ class ExposedCamera {
   // Origins, wave vectors and s_min of the rays of one sample of an exposure. Throws as pose_at.
   void rays(int exposure, const CameraSample& sample, RayPacket& rays) const;
 
-  // Where the camera is, and how it is turned, as the ray of `lane` begins.
-  CameraPose pose(int exposure, const CameraSample& sample, int lane) const;
+  // Of the ray of `lane` through the middle of the lens.
+  CameraSight sight(int exposure, const CameraSample& sample, int lane) const;
 
  private:
   struct Moment {

@@ -28,7 +28,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   }
   if (stage.spectra.shifts) choose_wavelengths(id);
   chosen_.density.fill(0.0F);
-  if (layers_.data != nullptr) layers_.data->fill({});
+  for (int i = 0; layers_.data != nullptr && i < packet_size; ++i) (*layers_.data)[i].hit = false;
 }
 
 void PathWalk::run() {

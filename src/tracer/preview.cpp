@@ -152,7 +152,7 @@ SurfaceData Preview::data_of(const Met& met) const {
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
                     RadianceLanes& radiance, const SampleLayers& layers) const {
   SurfaceDataLanes* const data = layers.data;
-  if (data != nullptr) data->fill({});
+  for (int lane = 0; data != nullptr && lane < packet_size; ++lane) (*data)[lane].hit = false;
   HitPacket hits;
   SurfaceLanes surfaces;
   bool passing = true;

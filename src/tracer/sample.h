@@ -24,15 +24,9 @@ struct SurfaceData {
   Vec3 position{0};  // rest frame, relative to the object's origin
   Vec3 normal{0};
   Vec2f uv{0};
-  // The surface's world-sheet there, for those who know the camera (apparent_surface.h): the normal as
-  // a 4-vector, which is (0, normal) in the rest frame, the ray, and the product of both, which is
-  // negative.
-  Displacement<in::World> sheet_normal;
-  WaveVector<in::World> sight;
-  double facing = 0;
-  // As the camera sees it, in its own axes: right, up, backwards.
-  double depth = 0;  // distance along the view
-  Vec3 apparent_normal{0};
+  // As the camera sees it (apparent_surface.h), if anyone asks.
+  double depth = 0;         // distance along the view
+  Vec3 apparent_normal{0};  // in the camera's axes: right, up, backwards
 };
 using SurfaceDataLanes = Lanes<SurfaceData>;
 

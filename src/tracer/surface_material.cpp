@@ -123,11 +123,6 @@ SurfaceData surface_data(const MetSurface& met, const ObjectPlace& place, const 
   data.position = position_on_object(met.frames, place, met.hits, lane);
   data.normal = Vec3(met.surfaces.normal.at(lane));
   data.uv = uv_at(met.scene, met.frames, met.hits, lane, 0);
-  const RestFrame& frame = met.frames.frame(met.hits.frame[lane]);
-  data.sheet_normal =
-      frame.coordinates().from_world.inverse()(Displacement<in::Rest>{0, data.normal});
-  data.sight = rays.k.at(lane);
-  data.facing = glm::dot(data.normal, Vec3(met.hits.sight.at(lane))) * -met.hits.rest_k_t[lane];
   return data;
 }
 
