@@ -59,7 +59,7 @@ struct PictureView {
         camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
         mattes(matte_ids(of.scene)),
         measured(measures_noise(of.scene)) {
-    if (!wants(of.scene.output, Layer::motion)) return;
+    if (!has_layer(of.scene.output.layers, Layer::motion)) return;
     motion.emplace(of.scene, camera, picture_time(of.scene.animation, picture + 1));
   }
   PictureView(const PictureView&) = delete;  // parts of it refer to others

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -108,6 +109,10 @@ enum class ViewTransform : std::uint8_t { srgb, filmic };
 
 inline constexpr double most_stops = 64;  // of exposure, either way
 
+inline bool has_layer(const std::vector<Layer>& layers, Layer layer) {
+  return std::find(layers.begin(), layers.end(), layer) != layers.end();
+}
+
 struct OutputSettings {
   std::string path = "out/picture.####.exr";  // # stand for digits of the picture number
   std::vector<Layer> layers = {Layer::beauty, Layer::z};
@@ -117,7 +122,6 @@ struct OutputSettings {
   ViewTransform view = ViewTransform::srgb;
 };
 
-bool wants(const OutputSettings& output, Layer layer);
 // Why the file could not hold all layers, or nothing.
 std::optional<std::string> compression_fault(const OutputSettings& settings);
 
