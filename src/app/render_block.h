@@ -64,9 +64,9 @@ struct PictureView {
         camera(of.scene, sampler, picture_time(of.scene.animation, picture), eye),
         mattes(matte_ids(of.scene)),
         measured(measures_noise(of.scene)),
-        apparent(wants(of.scene.output, Layer::depth) ||
-                 wants(of.scene.output, Layer::apparent_normal)) {
-    if (!wants(of.scene.output, Layer::motion)) return;
+        apparent(has_layer(of.scene.output.layers, Layer::depth) ||
+                 has_layer(of.scene.output.layers, Layer::apparent_normal)) {
+    if (!has_layer(of.scene.output.layers, Layer::motion)) return;
     motion.emplace(of.scene, camera, picture_time(of.scene.animation, picture + 1));
   }
   PictureView(const PictureView&) = delete;  // parts of it refer to others

@@ -142,8 +142,8 @@ std::size_t samples_a_pixel(const Scene& scene) {
 
 bool measures_noise(const Scene& scene) {
   const OutputSettings& output = scene.output;
-  return wants(output, Layer::beauty) &&
-         (scene.render.noise > 0.0 || wants(output, Layer::variance));
+  return has_layer(output.layers, Layer::beauty) &&
+         (scene.render.noise > 0.0 || has_layer(output.layers, Layer::variance));
 }
 
 Picture blank_picture(const Scene& scene) {

@@ -31,12 +31,13 @@ void check_noise(const Scene& scene, Faults& faults) {
     faults.push_back(fmt::format("render: noise is {}, must be from 0 to 1", noise));
   }
   const OutputSettings& output = scene.output;
-  const bool statistics = wants(output, Layer::variance) || wants(output, Layer::samples);
-  if (statistics && !wants(output, Layer::beauty)) {
+  const bool statistics =
+      has_layer(output.layers, Layer::variance) || has_layer(output.layers, Layer::samples);
+  if (statistics && !has_layer(output.layers, Layer::beauty)) {
     faults.push_back(
         "output: the layers \"variance\" and \"samples\" tell of the beauty; add \"beauty\"");
   }
-  if (!(noise > 0) && !wants(output, Layer::variance)) return;
+  if (!(noise > 0) && !has_layer(output.layers, Layer::variance)) return;
   const char* what = noise > 0 ? "render: noise" : "output: the layer \"variance\"";
   if (scene.render.samples < least_measured_samples) {
     faults.push_back(fmt::format("{} needs samples to be at least {}, it is {}", what,

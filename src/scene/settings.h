@@ -151,8 +151,4 @@ struct OutputSettings {
   ViewTransform view = ViewTransform::srgb;
 };
 
-inline bool wants(const OutputSettings& output, Layer layer) {
-  return has_layer(output.layers, layer);
-}
-
 }  // namespace restframe

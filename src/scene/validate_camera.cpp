@@ -155,7 +155,8 @@ void validate_poses(const Scene& scene, Faults& faults) {
   const bool few = 1.0 * scene.animation.pictures * scene.exposure.count <= 1e6;
   const int exposures = few ? scene.exposure.count : 1;
   // Motion is told from where the picture after the last would see things.
-  const int pictures = scene.animation.pictures + (wants(scene.output, Layer::motion) ? 1 : 0);
+  const int pictures =
+      scene.animation.pictures + (has_layer(scene.output.layers, Layer::motion) ? 1 : 0);
   for (int picture = 0; picture < pictures; ++picture) {
     const double opening = scene.animation.start + picture / scene.animation.rate;
     for (int i = 0; i < exposures; ++i) {

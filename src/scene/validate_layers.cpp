@@ -40,7 +40,7 @@ void validate_layers(const Scene& scene, Faults& faults) {
         "or combine by \"sum\" or \"mean\"");
   }
   const std::size_t groups = light_groups(scene).size();
-  if (wants(scene.output, Layer::lights) && groups > most_light_groups) {
+  if (has_layer(scene.output.layers, Layer::lights) && groups > most_light_groups) {
     faults.push_back(
         fmt::format("output: the layer \"lights\" would hold {} groups, at most {} "
                     "can be",

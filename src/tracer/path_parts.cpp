@@ -71,8 +71,10 @@ void PathWalk::note_arriving(const IncidentLanes& from_light, const Vec3fLanes& 
                              const Lanes<float>& left) {
   for (int lane = 0; lane < packet_size; ++lane) {
     if (reached[lane] == 0 || !(left[lane] > 0.0F)) continue;
-    const LobeSplit here =
-        lobe_split(lane, from_light.direction.at(lane), fraction.at(lane), false);
+    LobeSplit here{};
+    if (!parts_.has_scattered(lane)) {
+      here = lobe_split(lane, from_light.direction.at(lane), fraction.at(lane), false);
+    }
     parts_.receive(lane, from_light.group[lane], arriving.at(lane) * left[lane], &here);
   }
 }
