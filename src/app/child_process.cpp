@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto patience = 20ms;  // between two looks at the child and at signals
-constexpr auto grace = 300ms;    // from SIGTERM to SIGKILL
+constexpr auto grace = 200ms;    // from SIGTERM to SIGKILL
 
 std::atomic<pid_t> running{0};
 

@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int exit_code = 130;
-constexpr auto patience = 700ms;  // from a signal to the end by force
+constexpr auto patience = 400ms;  // from a signal to the end by force
 
 volatile std::sig_atomic_t interrupted = 0;
 sem_t came;  // a semaphore is what a signal handler may raise
