@@ -57,8 +57,9 @@ CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
   command->add_option("--partition", submit.partition, "The partition of the cluster");
   command->add_option("--memory", submit.memory,
                       "Memory of a task, as 8G; unless given, what the scene needs");
-  command->add_option("--sbatch", submit.directives,
-                      "A further option of sbatch, as --sbatch=--account=film; may be repeated")
+  command
+      ->add_option("--sbatch", submit.directives,
+                   "A further option of sbatch, as --sbatch=--account=film; may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--dry-run", submit.dry_run,
                     "Write the scripts and print the commands, submit nothing");
@@ -76,6 +77,8 @@ SubmitOptions completed(SubmitOptions options, const RenderOptions& render,
                         const CLI::App& command) {
   options.render = render;
   options.passed_on = passed_on(command);
+  const CLI::Option* pictures = command.get_option("--pictures");
+  if (pictures->count() > 0) options.pictures = pictures->results().back();
   check_word("--time", options.time, ":-");
   check_word("--partition", options.partition, "_-.,");
   check_word("--memory", options.memory, "");

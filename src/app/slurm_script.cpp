@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "app/number_ranges.h"
-
 namespace restframe {
 namespace {
 
@@ -85,21 +83,20 @@ std::string slurm_job_name(const std::string& pattern) {
 std::string render_script(const SlurmPlan& plan) {
   std::string text = "#!/bin/sh\n";
   text += directive("--job-name=" + slurm_job_name(plan.output));
-  text += directive("--array=" + ranges_text(plan.tasks, ","));
+  text += directive(fmt::format("--array=0-{}", plan.tasks.size() - 1));
   text += directive(fmt::format("--cpus-per-task={}", plan.needs.cores));
   text += common_directives(plan);
   if (!plan.time.empty()) text += directive("--time=" + plan.time);
-  text +=
-      fmt::format(R"(
-first=$(({} + SLURM_ARRAY_TASK_ID * {}))
-last=$((first + {}))
-if [ "$last" -gt {} ]; then last={}; fi
-# Finished pictures are kept: a task that is requeued goes on where it was.
+  text += fmt::format(R"(
+# The pictures of each task, from task 0 on.
+set -- {}
+shift "$SLURM_ARRAY_TASK_ID"
+# Finished ones are kept: a task that is requeued goes on where it was.
 exec {} \
-  --threads="$SLURM_CPUS_PER_TASK" --pictures="$first-$last"{}
+  --threads="$SLURM_CPUS_PER_TASK" --pictures="$1"{}
 )",
-                  plan.range.first, plan.chunk, plan.chunk - 1, plan.range.last, plan.range.last,
-                  command_line(plan, "render"), plan.overwrite ? " --overwrite" : "");
+                      fmt::join(plan.tasks, " "), command_line(plan, "render"),
+                      plan.overwrite ? " --overwrite" : "");
   return text;
 }
 
@@ -108,8 +105,8 @@ std::string check_script(const SlurmPlan& plan) {
   text += directive("--job-name=" + slurm_job_name(plan.output) + "-check");
   text += directive("--cpus-per-task=1");
   text += common_directives(plan);
-  text += fmt::format("\nexec {} \\\n  --pictures={}-{}\n", command_line(plan, "status"),
-                      plan.range.first, plan.range.last);
+  text += fmt::format("\nexec {}{}\n", command_line(plan, "status"),
+                      plan.pictures.empty() ? "" : " " + shell_word("--pictures=" + plan.pictures));
   return text;
 }
 
