@@ -105,8 +105,9 @@ std::string check_script(const SlurmPlan& plan) {
   text += directive("--job-name=" + slurm_job_name(plan.output) + "-check");
   text += directive("--cpus-per-task=1");
   text += common_directives(plan);
-  text += fmt::format("\nexec {}{}\n", command_line(plan, "status"),
-                      plan.pictures.empty() ? "" : " " + shell_word("--pictures=" + plan.pictures));
+  text += "\nexec " + command_line(plan, "status");
+  if (!plan.pictures.empty()) text += ' ' + shell_word("--pictures=" + plan.pictures);
+  text += '\n';
   return text;
 }
 
