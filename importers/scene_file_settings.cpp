@@ -10,15 +10,15 @@ namespace restframe {
 namespace {
 
 // In the order of the enumerations Layer and Compression.
-const std::vector<std::string> layer_names = {"beauty", "Z",  "time", "doppler",  "N",
-                                              "P",      "UV", "id",   "variance", "samples"};
+const std::vector<std::string> layer_names = {
+    "beauty",   "Z",       "time",          "doppler",         "N",           "P", "UV", "id",
+    "variance", "samples", "crypto_object", "crypto_material", "crypto_asset"};
 const std::vector<std::string> compression_names = {"none", "rle",   "zips", "zip",
                                                     "piz",  "pxr24", "dwaa", "dwab"};
 
 bool is_later_layer(const std::string& name) {
   static const std::vector<std::string> later = {
-      "motion",     "albedo",       "normal",        "direct",          "indirect",    "emission",
-      "reflection", "transmission", "crypto_object", "crypto_material", "crypto_asset"};
+      "motion", "albedo", "normal", "direct", "indirect", "emission", "reflection", "transmission"};
   return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
 }
 
@@ -132,6 +132,8 @@ void read_output(TableReader& root, SceneFile& file) {
   read_layers(output, settings);
   if (const auto index = output.choice("compression", compression_names)) {
     settings.compression = static_cast<Compression>(*index);
+    const auto fault = compression_fault(settings);
+    if (fault) output.report(output.place("compression"), *fault);
   }
   settings.preview = output.boolean("preview").value_or(settings.preview);
   settings.exposure =

@@ -90,6 +90,34 @@ TEST(Canonical, ChangesWithTheCamera) {
   });
 }
 
+// Names of parts are pixels of Cryptomatte's layers, and of no others.
+TEST(Canonical, ChangesWithNamesThatLayersTellApart) {
+  const auto with = [](Layer layer, const Change& change) {
+    return text_after([&](Scene& s) {
+      s.output.layers = {layer};
+      change(s);
+    });
+  };
+  const auto named = [](const std::string& name, int of_part) {
+    return [=](Scene& s) {
+      s.objects[0].part_names = {"one", name};
+      s.objects[0].parts[0].name = of_part;
+    };
+  };
+  const Change nothing = [](Scene&) {};
+  const Change whole = [](Scene& s) { s.objects[0].whole = "all"; };
+  EXPECT_NE(with(Layer::crypto_object, nothing), with(Layer::crypto_object, named("two", 0)));
+  EXPECT_NE(with(Layer::crypto_object, named("two", 0)),
+            with(Layer::crypto_object, named("too", 0)));
+  EXPECT_NE(with(Layer::crypto_object, named("two", 0)),
+            with(Layer::crypto_object, named("two", 1)));
+  EXPECT_EQ(with(Layer::crypto_object, nothing), with(Layer::crypto_object, whole));
+  EXPECT_NE(with(Layer::crypto_asset, nothing), with(Layer::crypto_asset, whole));
+  EXPECT_EQ(with(Layer::crypto_asset, nothing), with(Layer::crypto_asset, named("two", 0)));
+  EXPECT_EQ(with(Layer::z, nothing), with(Layer::z, named("two", 0)));
+  EXPECT_NE(with(Layer::crypto_asset, nothing), with(Layer::crypto_material, nothing));
+}
+
 TEST(Canonical, ChangesWithExposures) {
   expect_all_different({
       {"shutter", [](Scene& s) { s.exposure.shutter = 0.1; }},

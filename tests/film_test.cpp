@@ -57,9 +57,19 @@ TEST(FilmOffsets, NoTwoAreTheSame) {
   EXPECT_EQ(seen.size(), 10'000U);
 }
 
-const std::vector<Layer> all_layers = {
-    Layer::beauty,   Layer::z,  Layer::time, Layer::doppler,  Layer::normal,
-    Layer::position, Layer::uv, Layer::id,   Layer::variance, Layer::samples};
+const std::vector<Layer> all_layers = {Layer::beauty,
+                                       Layer::z,
+                                       Layer::time,
+                                       Layer::doppler,
+                                       Layer::normal,
+                                       Layer::position,
+                                       Layer::uv,
+                                       Layer::id,
+                                       Layer::variance,
+                                       Layer::samples,
+                                       Layer::crypto_object,
+                                       Layer::crypto_material,
+                                       Layer::crypto_asset};
 
 TEST(Layers, TheTableHasEachOnce) {
   std::set<Layer> layers;
@@ -75,7 +85,8 @@ TEST(Layers, TheTableHasEachOnce) {
   EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
   EXPECT_EQ(layer_table().size(), all_layers.size());
   EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
-                                          "variance", "samples"}));
+                                          "variance", "samples", "crypto_object", "crypto_material",
+                                          "crypto_asset"}));
   EXPECT_EQ(channels, (std::set<std::string>{"Z", "time_proper.V", "time_world.V", "doppler.D",
                                              "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "UV.U",
                                              "UV.V", "id_object.V", "id_material.V", "variance.R",
@@ -131,31 +142,39 @@ TEST(Exr, HoldsWhatWasSet) {
   picture.set_radiance(2, 1, {0.5F, 0.25F, 2.0F, 1.0F});
   picture.set_data(2, 1, surface());
   picture.set_statistics(2, 1, {{0.25F, 0.5F, inf}, 48});
+  picture.set_matte(2, 1, MatteKind::material, {{{0.5F, 0.75F}, {8.0F, 0.125F}}});
   const ExrPicture exr = written(picture).exr;
   EXPECT_EQ(exr.width, 3);
   EXPECT_EQ(exr.height, 2);
-  const std::map<std::string, float> expected = {{"R", 0.5F},
-                                                 {"G", 0.25F},
-                                                 {"B", 2.0F},
-                                                 {"A", 1.0F},
-                                                 {"Z", 7.0F},
-                                                 {"time_proper.V", -1.25F},
-                                                 {"time_world.V", 7.75F},
-                                                 {"doppler.D", 1.5F},
-                                                 {"P.X", 1.0F},
-                                                 {"P.Y", -0.5F},
-                                                 {"P.Z", 4.0F},
-                                                 {"N.X", 0.0F},
-                                                 {"N.Y", 0.6F},
-                                                 {"N.Z", -0.8F},
-                                                 {"UV.U", 0.125F},
-                                                 {"UV.V", 0.875F},
-                                                 {"id_object.V", 3.0F},
-                                                 {"id_material.V", 5.0F},
-                                                 {"variance.R", 0.25F},
-                                                 {"variance.G", 0.5F},
-                                                 {"variance.B", std::numeric_limits<float>::max()},
-                                                 {"samples.V", 48.0F}};
+  std::map<std::string, float> expected = {{"R", 0.5F},
+                                           {"G", 0.25F},
+                                           {"B", 2.0F},
+                                           {"A", 1.0F},
+                                           {"Z", 7.0F},
+                                           {"time_proper.V", -1.25F},
+                                           {"time_world.V", 7.75F},
+                                           {"doppler.D", 1.5F},
+                                           {"P.X", 1.0F},
+                                           {"P.Y", -0.5F},
+                                           {"P.Z", 4.0F},
+                                           {"N.X", 0.0F},
+                                           {"N.Y", 0.6F},
+                                           {"N.Z", -0.8F},
+                                           {"UV.U", 0.125F},
+                                           {"UV.V", 0.875F},
+                                           {"id_object.V", 3.0F},
+                                           {"id_material.V", 5.0F},
+                                           {"variance.R", 0.25F},
+                                           {"variance.G", 0.5F},
+                                           {"variance.B", std::numeric_limits<float>::max()},
+                                           {"samples.V", 48.0F}};
+  for (const char* layer : {"crypto_object", "crypto_material", "crypto_asset"}) {
+    for (const std::string& channel : matte_channels(layer)) expected[channel] = 0;
+  }
+  expected["crypto_material00.R"] = 0.5F;
+  expected["crypto_material00.G"] = 0.75F;
+  expected["crypto_material00.B"] = 8.0F;
+  expected["crypto_material00.A"] = 0.125F;
   EXPECT_EQ(exr.channels.size(), expected.size());
   for (const auto& [name, value] : expected) {
     EXPECT_EQ(exr.at(name, 2, 1), value) << name;
@@ -274,20 +293,6 @@ TEST(Exr, EveryCompressionWritesAndReads) {
     EXPECT_NEAR(exr.at("Z", 60, 40), 61.0F, 0.01) << names[i];
     EXPECT_NEAR(exr.at("id_object.V", 60, 40), 3.0F, 1e-3) << names[i];
   }
-}
-
-TEST(Exr, ATextIsReadBackFromACompleteFileOnly) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "picture.exr";
-  PictureInfo info;
-  info.texts = {{"note", "here"}};
-  write_exr(path, one_row({Vec4f(0.5F)}), info);
-  EXPECT_EQ(exr_text(path, "note"), "here");
-  EXPECT_EQ(exr_text(path, "other"), "");
-  EXPECT_EQ(exr_text(folder.path() / "none.exr", "note"), "");
-  EXPECT_EQ(exr_text(folder.path(), "note"), "");
-  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
-  EXPECT_EQ(exr_text(path, "note"), "");
 }
 
 TEST(Exr, AFolderThatIsNotThereIsAnOutputError) {

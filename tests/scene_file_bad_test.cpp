@@ -82,6 +82,13 @@ TEST_F(BadScene, UnknownKeysNameTheNearest) {
   });
 }
 
+TEST_F(BadScene, CompressionsThatChangeMattes) {
+  check({
+      {in_section("output", "compression = \"dwaa\"\nlayers = [\"crypto_object\"]"),
+       {"2:15: ", "compression changes the ids of Cryptomatte layers"}},
+  });
+}
+
 TEST_F(BadScene, WhatThisVersionDoesNotDo) {
   const auto none = [](const std::string& word) {
     return "\"" + word + "\" is not supported by this version of restframe";

@@ -152,6 +152,30 @@ TEST(Validate, Lens) {
   one([](Camera& c) { c.rolling = -1; }, "rolling is -1, must be from 0");
 }
 
+TEST(Validate, Mattes) {
+  const auto faults_with = [](Compression compression) {
+    return faults([&](Scene& s) {
+      s.output.layers = {Layer::beauty, Layer::crypto_material};
+      s.output.compression = compression;
+    });
+  };
+  for (const Compression lossy : {Compression::pxr24, Compression::dwaa, Compression::dwab}) {
+    EXPECT_THAT(faults_with(lossy), ElementsAre(HasSubstr("changes the ids of Cryptomatte")));
+    EXPECT_THAT(faults([&](Scene& s) { s.output.compression = lossy; }), IsEmpty());
+  }
+  for (const Compression exact : {Compression::none, Compression::rle, Compression::zips,
+                                  Compression::zip, Compression::piz}) {
+    EXPECT_THAT(faults_with(exact), IsEmpty());
+  }
+  for (const int name : {-2, 1}) {
+    EXPECT_THAT(faults([&](Scene& s) {
+                  s.objects[0].part_names = {"only"};
+                  s.objects[0].parts[0].name = name;
+                }),
+                ElementsAre(HasSubstr("of 1")));
+  }
+}
+
 TEST(Validate, Camera) {
   const auto one = [](const std::function<void(Camera&)>& spoil, const char* words) {
     EXPECT_THAT(faults([&](Scene& s) { spoil(s.camera); }), ElementsAre(HasSubstr(words)));

@@ -164,11 +164,14 @@ TEST_F(Submit, LeavesOutWhatIsThere) {
   EXPECT_EQ(tasks({"--pictures", "4-6"}), "set -- 5");
   EXPECT_THAT(job_.content(std::string(kFolder) + "/check.sh"), HasSubstr(" --pictures=4-6\n"));
   EXPECT_EQ(tasks({"--overwrite", "--chunk", "4"}), "set -- 0-3 4-6");
+  EXPECT_EQ(tasks({"--overwrite", "--chunk", "2", "-p", "0-6:3"}), "set -- 0,3 6");
   EXPECT_THAT(job_.content(kRenderScript), HasSubstr("\"$1\" --overwrite\n"));
+  EXPECT_EQ(tasks({"--chunk", "2", "-p", "2-3,0,5"}), "set -- 3,5");
+  ASSERT_EQ(job_.run_task(kRenderScript, 0).exit_code, 0);
   fs::remove(job_.path("calls.txt"));
-  const RunResult nothing = submit({"--pictures", "0-2"});
+  const RunResult nothing = submit();
   EXPECT_EQ(nothing.exit_code, 0);
-  EXPECT_THAT(nothing.out, HasSubstr("all 3 pictures are there already; nothing was submitted"));
+  EXPECT_THAT(nothing.out, HasSubstr("all 7 pictures are there already; nothing was submitted"));
   EXPECT_FALSE(fs::exists(job_.path("calls.txt")));
 }
 

@@ -67,6 +67,7 @@ struct MeasuredBlock {
   // The samples [first, end) of an exposure.
   void take(int number, int first, int end) {
     for (int sample = first; sample < end; ++sample) {
+      if (interrupt_requested()) throw Interrupted();
       block.id.replicate = static_cast<std::uint32_t>(sample % replicate_count);
       block.id.sample = (static_cast<std::uint32_t>(number) << bits_) |
                         static_cast<std::uint32_t>(sample / replicate_count);
@@ -74,7 +75,7 @@ struct MeasuredBlock {
       CameraSample where;
       block.view.sampler.draw(block.pixels, random, where);
       RadianceLanes radiance;
-      trace(block, number, where, radiance, {});
+      trace(block, number, where, radiance, {nullptr, block.covers});
       replicates.add(sample % replicate_count, radiance, scale);
       coverage.add(number, radiance);
       if (number == 0) replicates.count(sample % replicate_count);
@@ -85,10 +86,7 @@ struct MeasuredBlock {
     const double wanted = block.view.context.scene.render.noise;
     for (int samples = 0; samples < most_samples();) {
       const int end = samples_after_batch(samples, most_samples());
-      for (int number = 0; number < exposure().count; ++number) {
-        if (interrupt_requested()) throw Interrupted();
-        take(number, samples, end);
-      }
+      for (int number = 0; number < exposure().count; ++number) take(number, samples, end);
       samples = end;
       if (wanted > 0.0 && replicates.noise(block.active) <= wanted) break;
     }
@@ -101,8 +99,9 @@ struct MeasuredBlock {
       if (coverage.is_wanted()) radiance[i].w = coverage.coverage(i, replicates.samples());
     }
     store(block, radiance, picture);
-    if (!picture.has_statistics()) return;
     const int samples = replicates.samples() * exposure().count;
+    store_mattes(block, samples, picture);
+    if (!picture.has_statistics()) return;
     for_pixels(block, [&](int x, int y, int lane) {
       picture.set_statistics(x, y, {replicates.variance(lane), samples});
     });

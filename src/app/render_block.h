@@ -6,7 +6,9 @@
 #include <span>
 
 #include "app/render_picture.h"
+#include "film/cryptomatte.h"
 #include "tracer/camera_sampler.h"
+#include "tracer/cover_counts.h"
 #include "tracer/exposed_camera.h"
 
 namespace restframe {
@@ -41,6 +43,7 @@ struct PictureView {
   CameraSampler sampler;
   ExposedCamera camera;
   BlockPattern pattern;
+  MatteIds mattes;
   bool measured;  // how sure pixels are
 
   PictureView(const RenderContext& of, int picture, const PixelWindow& pixels)
@@ -49,6 +52,7 @@ struct PictureView {
         window(pixels),
         sampler(of.scene),
         camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
+        mattes(matte_ids(of.scene)),
         measured(measures_noise(of.scene)) {}
 };
 
@@ -61,8 +65,9 @@ struct Block {
   int left, top;
   PixelWindow within;  // the part of it that is in the picture
   PixelLanes pixels;
-  Lanes<std::int32_t> active;  // lanes off the picture stay inactive
-  PacketId id;                 // of the sample at hand
+  Lanes<std::int32_t> active;     // lanes off the picture stay inactive
+  PacketId id;                    // of the sample at hand
+  CoverCounts* covers = nullptr;  // of all samples; null: not wanted
 
   Block(const PictureView& of, const Tracer& by, TemporalEvaluator& with, int x, int y)
       : view(of), integrator(by), evaluator(with), left(x), top(y) {
@@ -91,9 +96,9 @@ void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
 
 template <class Tracer>
 void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
-                          RadianceLanes& radiance, Picture& picture) {
+                          RadianceLanes& radiance, CoverCounts* covers, Picture& picture) {
   SurfaceDataLanes data;
-  trace(block, 0, sample, radiance, {&data});
+  trace(block, 0, sample, radiance, {&data, covers});
   for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
 }
 
@@ -103,7 +108,7 @@ void render_data(const Block<Tracer>& block, Picture& picture) {
   CameraSample sample;
   block.view.sampler.take_center(block.pixels, sample);
   RadianceLanes unused;
-  trace_and_store_data(block, sample, unused, picture);
+  trace_and_store_data(block, sample, unused, nullptr, picture);
 }
 
 template <class Tracer>
@@ -115,6 +120,15 @@ void store(const Block<Tracer>& block, const RadianceLanes& radiance, Picture& p
     picture.set_radiance_row(
         within.left, y,
         lanes.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(within.width)));
+  }
+}
+
+template <class Tracer>
+void store_mattes(const Block<Tracer>& block, int samples, Picture& picture) {
+  for (const MatteKind kind : picture.mattes()) {
+    for_pixels(block, [&](int x, int y, int lane) {
+      picture.set_matte(x, y, kind, matte_ranks(block.covers->of(kind, lane), samples));
+    });
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/measured_block.h"
 #include "app/render_block.h"
@@ -34,15 +35,16 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
   CameraSampler::Starts starts;
   sampler.start(id, starts);
   for (int index = 0; index < samples; ++index) {
+    if (interrupt_requested()) throw Interrupted();
     id.sample = first + static_cast<std::uint32_t>(index);
     CameraSample sample;
     sampler.take(block.pixels, starts, index, sample);
     RadianceLanes next;
     RadianceLanes& radiance = index == 0 ? sum : next;
     if (with_data && id.sample == 0) {
-      trace_and_store_data(block, sample, radiance, picture);
+      trace_and_store_data(block, sample, radiance, block.covers, picture);
     } else {
-      trace(block, exposure, sample, radiance, {});
+      trace(block, exposure, sample, radiance, {nullptr, block.covers});
     }
     if (index > 0) add(sum, next);
   }
@@ -61,23 +63,24 @@ int aligned(int coordinate, int step) {
 }
 
 template <class Tracer>
-void render_block(Block<Tracer>&& block, Picture& picture) {
+void render_block(Block<Tracer>& block, Picture& picture) {
   const Scene& scene = block.view.context.scene;
   const PictureView& view = block.view;
   const bool data_apart = picture.has_data() && (view.sampler.spreads() || view.measured);
   if (data_apart) render_data(block, picture);
-  if (data_apart && !picture.has_beauty()) return;
+  const bool all_samples = picture.has_beauty() || block.covers != nullptr;
+  if (data_apart && !all_samples) return;
   if (view.measured) return render_measured(block, picture);
-  const int samples = picture.has_beauty() ? scene.render.samples : 1;
-  const int exposures = picture.has_beauty() ? scene.exposure.count : 1;
+  const int samples = all_samples ? scene.render.samples : 1;
+  const int exposures = all_samples ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
-    if (interrupt_requested()) throw Interrupted();
     RadianceLanes sum;
     render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
     total.add(sum, 1.0F / static_cast<float>(samples));
   }
   store(block, total.combined(), picture);
+  store_mattes(block, samples * exposures, picture);
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
 
@@ -101,9 +104,14 @@ template <class Tracer>
 void render_tile(const PictureView& view, const Tracer& integrator, const PixelWindow& tile,
                  Picture& picture) {
   std::unique_ptr<TemporalEvaluator> evaluator = view.context.evaluators.take();
+  const auto covers =
+      picture.mattes().empty() ? nullptr : std::make_unique<CoverCounts>(view.mattes);
   for (int y = aligned(tile.top, block_side); y < tile.bottom(); y += block_side) {
     for (int x = aligned(tile.left, block_side); x < tile.right(); x += block_side) {
-      render_block(Block<Tracer>(view, integrator, *evaluator, x, y), picture);
+      Block<Tracer> block(view, integrator, *evaluator, x, y);
+      block.covers = covers.get();
+      if (covers) covers->clear();
+      render_block(block, picture);
     }
   }
   check_fault(view.context.scene, *evaluator);
@@ -149,16 +157,25 @@ std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
   return tiles;
 }
 
-void render_picture(const RenderContext& context, int number, Picture& picture) {
+void render_tiles(const RenderContext& context, int number, std::span<const std::size_t> tiles,
+                  Picture& picture, TileMarks& done) {
   const PictureView view(context, number, picture.window());
-  const std::vector<PixelWindow> tiles = picture_tiles(picture.window());
+  const std::vector<PixelWindow> windows = picture_tiles(picture.window());
   std::visit(
       [&](const auto& integrator) {
-        parallel_for(tiles.size(), [&](std::size_t tile) {
-          render_tile(view, integrator, tiles[tile], picture);
+        parallel_for(tiles.size(), [&](std::size_t i) {
+          render_tile(view, integrator, windows[tiles[i]], picture);
+          done.mark(tiles[i]);
         });
       },
       context.integrator);
+}
+
+void render_picture(const RenderContext& context, int number, Picture& picture) {
+  TileMarks done(picture_tiles(picture.window()).size());
+  std::vector<std::size_t> all(done.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  render_tiles(context, number, all, picture, done);
 }
 
 }  // namespace restframe

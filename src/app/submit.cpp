@@ -7,7 +7,7 @@
 #include "app/commands.h"
 #include "app/info_words.h"
 #include "app/number_ranges.h"
-#include "app/picture_files.h"
+#include "app/resume.h"
 #include "app/slurm_queue.h"
 #include "app/slurm_script.h"
 #include "scene/atomic_file.h"
@@ -119,11 +119,9 @@ void submit_plan(const SlurmPlan& plan, const fs::path& sbatch, std::size_t coun
 
 int submit(const SubmitOptions& options, const ImportLimits& limits) {
   const Job job = loaded_job(options.render, limits);
-  const std::vector<int> numbers =
-      pictures_to_make(job.scene, job.range.first, job.range.last, options.render.overwrite);
+  const std::vector<int> numbers = pictures_to_make(job, options.render.overwrite);
   if (numbers.empty()) {
-    fmt::print("all {} pictures are there already; nothing was submitted\n",
-               job.range.last - job.range.first + 1);
+    fmt::print("all {} pictures are there already; nothing was submitted\n", job.numbers.size());
     return 0;
   }
   check_folder(slurm_folder(fs::absolute(job.scene.output.path).string()));

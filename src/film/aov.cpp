@@ -60,23 +60,31 @@ constexpr std::array variance_channels{
 constexpr std::array sample_channels{
     StatisticChannel{"samples.V", [](Statistics s) { return static_cast<float>(s.samples); }}};
 
-constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
-                           LayerInfo{Layer::z, "Z", distance_channels},
-                           LayerInfo{Layer::time, "time", time_channels},
-                           LayerInfo{Layer::doppler, "doppler", doppler_channels},
-                           LayerInfo{Layer::normal, "N", normal_channels},
-                           LayerInfo{Layer::position, "P", position_channels},
-                           LayerInfo{Layer::uv, "UV", uv_channels},
-                           LayerInfo{Layer::id, "id", id_channels},
-                           LayerInfo{Layer::variance, "variance", {}, variance_channels},
-                           LayerInfo{Layer::samples, "samples", {}, sample_channels}};
+constexpr std::array table{
+    LayerInfo{Layer::beauty, "beauty", {}},
+    LayerInfo{Layer::z, "Z", distance_channels},
+    LayerInfo{Layer::time, "time", time_channels},
+    LayerInfo{Layer::doppler, "doppler", doppler_channels},
+    LayerInfo{Layer::normal, "N", normal_channels},
+    LayerInfo{Layer::position, "P", position_channels},
+    LayerInfo{Layer::uv, "UV", uv_channels},
+    LayerInfo{Layer::id, "id", id_channels},
+    LayerInfo{Layer::variance, "variance", {}, variance_channels},
+    LayerInfo{Layer::samples, "samples", {}, sample_channels},
+    LayerInfo{Layer::crypto_object, "crypto_object", {}, {}, MatteKind::object},
+    LayerInfo{Layer::crypto_material, "crypto_material", {}, {}, MatteKind::material},
+    LayerInfo{Layer::crypto_asset, "crypto_asset", {}, {}, MatteKind::asset}};
+
+bool is_among(Layer layer, std::span<const Layer> layers) {
+  return std::find(layers.begin(), layers.end(), layer) != layers.end();
+}
 
 template <class Channel>
 std::vector<Channel> channels_of(std::span<const Layer> layers,
                                  std::span<const Channel> LayerInfo::*of_layer) {
   std::vector<Channel> channels;
   for (const LayerInfo& info : table) {
-    if (std::find(layers.begin(), layers.end(), info.layer) == layers.end()) continue;
+    if (!is_among(info.layer, layers)) continue;
     const std::span<const Channel> own = info.*of_layer;
     channels.insert(channels.end(), own.begin(), own.end());
   }
@@ -95,6 +103,14 @@ std::vector<DataChannel> data_channels(std::span<const Layer> layers) {
 
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers) {
   return channels_of(layers, &LayerInfo::statistics);
+}
+
+std::vector<LayerInfo> matte_layers(std::span<const Layer> layers) {
+  std::vector<LayerInfo> mattes;
+  for (const LayerInfo& info : table) {
+    if (info.matte && is_among(info.layer, layers)) mattes.push_back(info);
+  }
+  return mattes;
 }
 
 }  // namespace restframe

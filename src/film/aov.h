@@ -3,9 +3,11 @@
 // The one table of layers: what each is called in a scene file and in an EXR, and where its values
 // come from (design, section 7).
 
+#include <optional>
 #include <span>
 
 #include "scene/settings.h"
+#include "tracer/cover_counts.h"
 #include "tracer/sample.h"
 
 namespace restframe {
@@ -45,6 +47,7 @@ struct LayerInfo {
   const char* scene_name;                             // in the scene file's output.layers
   std::span<const DataChannel> channels;              // empty for the beauty
   std::span<const StatisticChannel> statistics = {};  // of the beauty
+  std::optional<MatteKind> matte = {};                // Cryptomatte's channels, by scene_name
 };
 
 std::span<const LayerInfo> layer_table();
@@ -52,5 +55,8 @@ std::span<const LayerInfo> layer_table();
 // The channels of these layers, in the table's order.
 std::vector<DataChannel> data_channels(std::span<const Layer> layers);
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers);
+
+// Those of these layers that are mattes, likewise.
+std::vector<LayerInfo> matte_layers(std::span<const Layer> layers);
 
 }  // namespace restframe

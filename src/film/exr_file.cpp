@@ -5,7 +5,6 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
-#include <OpenEXR/ImfStringAttribute.h>
 #include <half.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <cstring>
 #include <span>
 
+#include "film/exr_check.h"
 #include "film/exr_header.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -35,7 +35,7 @@ class MemoryStream : public Imf::OStream {
   std::uint64_t tellp() override { return position_; }
   void seekp(std::uint64_t position) override { position_ = position; }
 
-  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(bytes_)); }
+  std::span<std::byte> bytes() { return std::as_writable_bytes(std::span(bytes_)); }
 
  private:
   std::vector<char> bytes_;
@@ -162,29 +162,12 @@ WriteReport write_exr(const std::filesystem::path& path, const Picture& picture,
     encode(picture, info, stream, report);
     MemoryInput input(stream.bytes());
     if (!Imf::InputFile(input).isComplete()) throw OutputError("the picture is not complete");
+    seal_exr(stream.bytes());
   } catch (const std::exception& error) {
     throw OutputError(path.string() + ": " + error.what());
   }
   write_file_atomically(path, stream.bytes());
   return report;
-}
-
-std::string exr_text(const std::filesystem::path& path, const std::string& name) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return {};
-  try {
-    Imf::InputFile file(path.c_str());
-    const auto* text = file.header().findTypedAttribute<Imf::StringAttribute>(name);
-    if (text == nullptr || !file.isComplete()) return {};
-    // OpenEXR calls a file complete that knows where all its pixels should be; the last ones must
-    // be there, too.
-    const char* pixels = nullptr;
-    int size = 0;
-    file.rawPixelData(file.header().dataWindow().max.y, pixels, size);
-    return text->value();
-  } catch (const std::exception&) {
-    return {};  // torn or of another kind: to the caller as good as not there
-  }
 }
 
 }  // namespace restframe

@@ -37,7 +37,4 @@ struct WriteReport {
 WriteReport write_exr(const std::filesystem::path& path, const Picture& picture,
                       const PictureInfo& info);
 
-// The text attribute `name` of a complete EXR; empty where the file is missing, torn, or has none.
-std::string exr_text(const std::filesystem::path& path, const std::string& name);
-
 }  // namespace restframe

@@ -4,6 +4,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <span>
 
 #include "scene/canonical_listing.h"
@@ -148,6 +149,26 @@ void add_object(Listing& list, const Object& object, const std::string& key) {
   list.add(key + ".materials", materials);
 }
 
+// What the layers that are asked for call the parts of objects.
+void add_matte_names(Listing& list, const Scene& scene) {
+  const std::vector<Layer>& layers = scene.output.layers;
+  const auto wants = [&](Layer layer) {
+    return std::find(layers.begin(), layers.end(), layer) != layers.end();
+  };
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const std::string key = fmt::format("object.{}", i);
+    if (wants(Layer::crypto_asset) && !object.whole.empty()) list.add(key + ".whole", object.whole);
+    if (!wants(Layer::crypto_object) || object.part_names.empty()) continue;
+    Digest names;
+    for (const std::string& name : object.part_names) {
+      names.add(std::span(name.c_str(), name.size() + 1));
+    }
+    for (const PlacedMesh& part : object.parts) names.add(std::span(&part.name, 1));
+    list.add(key + ".part_names", fmt::format("{} {}", object.part_names.size(), names.hex()));
+  }
+}
+
 // Its name is in no picture; its group names a layer.
 void add_light(Listing& list, const Light& light, const std::string& key) {
   list.add(key + ".kind", static_cast<int>(light.kind));
@@ -218,6 +239,7 @@ std::string canonical_settings(const Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     add_object(list, scene.objects[i], fmt::format("object.{}", i));
   }
+  add_matte_names(list, scene);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     add_light(list, scene.lights[i], fmt::format("light.{}", i));
   }

@@ -76,6 +76,7 @@ void check_settings(const Scene& scene, Faults& faults) {
   check_band(scene.render, faults);
   const auto fault = output_pattern_fault(scene.output.path, scene.animation.pictures);
   if (fault) faults.push_back("output: " + *fault);
+  if (const auto lossy = compression_fault(scene.output)) faults.push_back("output: " + *lossy);
   const std::set<Layer> layers(scene.output.layers.begin(), scene.output.layers.end());
   if (layers.empty()) faults.push_back("output: layers must have at least one");
   if (layers.size() < scene.output.layers.size()) {
@@ -110,6 +111,10 @@ void check_parts(const Scene& scene, const Object& object, const std::string& na
       faults.push_back(
           fmt::format("{} refers to mesh {} of {}", name, part.mesh, scene.meshes.size()));
       continue;
+    }
+    if (part.name < -1 || part.name >= static_cast<int>(object.part_names.size())) {
+      faults.push_back(
+          fmt::format("{}: a part has name {} of {}", name, part.name, object.part_names.size()));
     }
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
     if (checked.insert(part.mesh).second) check_slots(object, mesh, name, faults);
@@ -148,6 +153,13 @@ void check_lights(const Scene& scene, Faults& faults) {
 }
 
 }  // namespace
+
+std::optional<std::string> compression_fault(const OutputSettings& settings) {
+  const auto matte = std::find_if(settings.layers.begin(), settings.layers.end(), is_matte);
+  if (matte == settings.layers.end() || keeps_floats(settings.compression)) return std::nullopt;
+  return "compression changes the ids of Cryptomatte layers; zip, zips, piz, rle and none keep "
+         "them";
+}
 
 double clock_at_reference(const Object& object) {
   if (!object.frame_clock) return object.clock;

@@ -76,10 +76,24 @@ enum class Layer : std::uint8_t {
   uv,
   id,
   variance,
-  samples
+  samples,
+  crypto_object,
+  crypto_material,
+  crypto_asset
 };
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab };
+
+// Whether floats come back to the bit, as the ids of mattes must.
+inline bool keeps_floats(Compression compression) {
+  return compression != Compression::pxr24 && compression != Compression::dwaa &&
+         compression != Compression::dwab;
+}
+
+inline bool is_matte(Layer layer) {
+  return layer == Layer::crypto_object || layer == Layer::crypto_material ||
+         layer == Layer::crypto_asset;
+}
 
 // How a preview shows linear light: as it is up to white, or along a film's curve.
 enum class ViewTransform : std::uint8_t { srgb, filmic };
@@ -94,5 +108,8 @@ struct OutputSettings {
   double exposure = 0;  // of the preview: stops by which it is brightened
   ViewTransform view = ViewTransform::srgb;
 };
+
+// Why the file could not hold all layers, or nothing.
+std::optional<std::string> compression_fault(const OutputSettings& settings);
 
 }  // namespace restframe

@@ -27,9 +27,12 @@ struct SurfaceData {
 };
 using SurfaceDataLanes = Lanes<SurfaceData>;
 
+class CoverCounts;
+
 // What is wanted of 16 samples besides their light; null: not wanted.
 struct SampleLayers {
   SurfaceDataLanes* data = nullptr;
+  CoverCounts* covers = nullptr;  // to be added to
 };
 
 }  // namespace restframe
