@@ -108,7 +108,9 @@ TEST_F(Submit, AsksForWhatTheSceneNeeds) {
 }
 
 TEST_F(Submit, TasksMakeThePicturesOfOneRun) {
-  ASSERT_EQ(submit({"--dry-run", "--chunk", "3", "--samples", "2", "--exposure", "-3"}).exit_code,
+  ASSERT_EQ(submit({"--dry-run", "--chunk", "3", "--samples", "2", "--exposure", "-3",
+                    "--checkpoint", "60"})
+                .exit_code,
             0);
   for (const int task : {2, 0, 1}) {
     const RunResult made = job_.run_task(kRenderScript, task);

@@ -42,12 +42,17 @@ std::string common_directives(const SlurmPlan& plan) {
   return text;
 }
 
+std::string words(const std::vector<std::string>& options) {
+  std::string text;
+  for (const std::string& option : options) text += ' ' + shell_word(option);
+  return text;
+}
+
 std::string command_line(const SlurmPlan& plan, const char* command) {
   std::string text =
       fmt::format("{} {} {} {}", shell_word(plan.program.string()), command,
                   shell_word(plan.scene.string()), shell_word("--output=" + plan.output));
-  for (const std::string& option : plan.passed_on) text += ' ' + shell_word(option);
-  return text;
+  return text + words(plan.passed_on);
 }
 
 // Slurm puts numbers in the place of what follows a %.
@@ -95,8 +100,7 @@ shift "$SLURM_ARRAY_TASK_ID"
 exec {} \
   --threads="$SLURM_CPUS_PER_TASK" --pictures="$1"{}
 )",
-                      fmt::join(plan.tasks, " "), command_line(plan, "render"),
-                      plan.overwrite ? " --overwrite" : "");
+                      fmt::join(plan.tasks, " "), command_line(plan, "render"), words(plan.work));
   return text;
 }
 

@@ -46,9 +46,9 @@ SlurmPlan plan_of(const SubmitOptions& options, const Job& job, const std::vecto
   plan.output = fs::absolute(job.scene.output.path).string();
   plan.folder = slurm_folder(plan.output);
   plan.passed_on = options.passed_on;
+  plan.work = options.work;
   plan.pictures = options.pictures;
   plan.tasks = tasks_for(numbers, options.chunk);
-  plan.overwrite = options.render.overwrite;
   plan.needs = needs_of(job.scene, FrameSet(job.scene, thread_count()));
   if (options.render.threads > 0) plan.needs.cores = options.render.threads;
   plan.memory = options.memory;
