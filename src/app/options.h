@@ -52,9 +52,10 @@ struct MergeOptions {
 struct SubmitOptions {
   RenderOptions render;
   bool by_slurm = false;
-  std::vector<std::string>
-      passed_on;  // options of the scene and its pictures as given, for each task
-  int chunk = 0;  // pictures a task; 0: as many as give at most 100 tasks
+  std::vector<std::string> passed_on;   // options of the pictures as given, for each task
+  std::vector<std::string> work;        // likewise, of how they are made
+  std::string pictures;                 // likewise, for those that are checked in the end
+  int chunk = 0;                        // pictures a task; 0: as many as give at most 100 tasks
   std::string time, partition, memory;  // of a task, in Slurm's words; empty: as we or Slurm choose
   std::vector<std::string> directives;  // further options of sbatch
   bool dry_run = false;
