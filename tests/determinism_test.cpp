@@ -74,7 +74,7 @@ f 1/1 2/2 3/3 4/4
 void write_texture(const std::filesystem::path& path) {
   constexpr int size = 8;
   const Layer layers[] = {Layer::beauty};
-  Picture texture(size, size, layers, {});
+  Picture texture({0, 0, size, size}, layers, {});
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       texture.set_radiance(x, y,

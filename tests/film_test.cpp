@@ -89,11 +89,11 @@ TEST(Layers, OnlyThoseAskedForHaveChannels) {
   ASSERT_EQ(channels.size(), 3U);
   EXPECT_STREQ(channels[0].exr_name, "Z");
   EXPECT_STREQ(channels[1].exr_name, "id_object.V");
-  const Picture picture(4, 3, two, {});
+  const Picture picture({0, 0, 4, 3}, two, {});
   EXPECT_FALSE(picture.has_beauty());
   EXPECT_TRUE(picture.has_data());
   const std::vector<Layer> beauty = {Layer::beauty};
-  EXPECT_FALSE(Picture(4, 3, beauty, {}).has_data());
+  EXPECT_FALSE(Picture({0, 0, 4, 3}, beauty, {}).has_data());
 }
 
 SurfaceData surface() {
@@ -124,7 +124,7 @@ Written written(const Picture& picture, const PictureInfo& info = {}) {
 }
 
 TEST(Exr, HoldsWhatWasSet) {
-  Picture picture(3, 2, all_layers, {2.0});  // lengths are twice as long in scene units
+  Picture picture({0, 0, 3, 2}, all_layers, {2.0});  // lengths are twice as long in scene units
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 3; ++x) picture.set_data(x, y, {});
   }
@@ -164,7 +164,8 @@ TEST(Exr, HoldsWhatWasSet) {
 }
 
 Picture one_row(const std::vector<Vec4f>& pixels) {
-  Picture picture(static_cast<int>(pixels.size()), 1, std::vector<Layer>{Layer::beauty}, {});
+  Picture picture({0, 0, static_cast<int>(pixels.size()), 1}, std::vector<Layer>{Layer::beauty},
+                  {});
   for (int x = 0; x < picture.width(); ++x) {
     picture.set_radiance(x, 0, pixels[static_cast<std::size_t>(x)]);
   }
@@ -197,7 +198,7 @@ TEST(Exr, ABeautyOfFloatsKeepsWhatHalvesCannot) {
 
 // Two hits whose clocks are these; the third pixel hits nothing.
 ExrPicture with_clocks(double a, double b) {
-  Picture picture(3, 1, std::vector<Layer>{Layer::time}, {});
+  Picture picture({0, 0, 3, 1}, std::vector<Layer>{Layer::time}, {});
   SurfaceData data = surface();
   data.time_proper = a;
   picture.set_data(0, 0, data);
@@ -255,7 +256,7 @@ TEST(Exr, TheHeaderSaysWhatMadeIt) {
 
 TEST(Exr, EveryCompressionWritesAndReads) {
   const std::array names = {"none", "rle", "zips", "zip", "piz", "pxr24", "dwaa", "dwab"};
-  Picture picture(70, 50, all_layers, {});
+  Picture picture({0, 0, 70, 50}, all_layers, {});
   for (int y = 0; y < 50; ++y) {
     for (int x = 0; x < 70; ++x) {
       picture.set_radiance(x, y, {0.25F, 0.5F, 0.75F, 1.0F});

@@ -81,7 +81,7 @@ std::vector<double> means(const Scene& scene, int samples, const Place& place) {
         rays.active.fill(-1);
         camera.rays(0, middle, rays);
         RadianceLanes radiance;
-        tracer.trace(rays, id, evaluator, radiance, nullptr);
+        tracer.trace(rays, id, evaluator, radiance, {});
         for (int i = 0; i < packet_size; ++i) {
           means[static_cast<std::size_t>(pixels.y[i] * side + pixels.x[i])] +=
               static_cast<double>(radiance[i].x) / samples;

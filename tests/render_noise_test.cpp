@@ -57,8 +57,8 @@ class RenderNoise : public SceneReading {
 };
 
 const std::vector<float>& statistic(const Picture& picture, const std::string& name) {
-  for (const StatisticPixels& pixels : picture.statistics()) {
-    if (pixels.channel.exr_name == name) return pixels.values;
+  for (const Plane& plane : picture.planes()) {
+    if (plane.name == name) return plane.values;
   }
   throw std::out_of_range(name);
 }

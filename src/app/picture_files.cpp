@@ -101,6 +101,7 @@ std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool 
 
 PictureInfo common_info(const Scene& scene) {
   PictureInfo info;
+  info.display = {0, 0, scene.render.width, scene.render.height};
   info.light_speed = scene.light_speed;
   info.rate = scene.animation.rate;
   info.float_beauty = scene.render.beaming;

@@ -29,23 +29,24 @@ struct BlockPattern {
   }
 };
 
-// The lanes of the block whose first pixel is at (left, top), and which of so many columns and rows are
-// pixels of the picture.
-void place_block(const BlockPattern& pattern, int left, int top, int columns, int rows,
+// The lanes of the block whose first pixel is at (left, top), and which of them are pixels of `window`.
+void place_block(const BlockPattern& pattern, int left, int top, const PixelWindow& window,
                  PixelLanes& pixels, Lanes<std::int32_t>& active, Lanes<std::uint32_t>& place);
 
 // What the tiles of one picture share.
 struct PictureView {
   const RenderContext& context;
   int number;
+  PixelWindow window;
   CameraSampler sampler;
   ExposedCamera camera;
   BlockPattern pattern;
   bool measured;  // how sure pixels are
 
-  PictureView(const RenderContext& of, int picture)
+  PictureView(const RenderContext& of, int picture, const PixelWindow& pixels)
       : context(of),
         number(picture),
+        window(pixels),
         sampler(of.scene),
         camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
         measured(measures_noise(of.scene)) {}
@@ -58,19 +59,17 @@ struct Block {
   const Tracer& integrator;
   TemporalEvaluator& evaluator;
   int left, top;
-  int width, height;  // within the picture
+  PixelWindow within;  // the part of it that is in the picture
   PixelLanes pixels;
   Lanes<std::int32_t> active;  // lanes off the picture stay inactive
   PacketId id;                 // of the sample at hand
 
   Block(const PictureView& of, const Tracer& by, TemporalEvaluator& with, int x, int y)
       : view(of), integrator(by), evaluator(with), left(x), top(y) {
-    const RenderSettings& settings = view.context.scene.render;
-    width = std::min(block_side, settings.width - left);
-    height = std::min(block_side, settings.height - top);
-    id.seed = settings.seed;
+    within = common_part({left, top, block_side, block_side}, view.window);
+    id.seed = view.context.scene.render.seed;
     id.picture = static_cast<std::uint32_t>(view.number);
-    place_block(view.pattern, left, top, width, height, pixels, active, id.pixel);
+    place_block(view.pattern, left, top, within, pixels, active, id.pixel);
   }
 };
 
@@ -83,18 +82,18 @@ void for_pixels(const Block<Tracer>& block, const Store& store) {
 
 template <class Tracer>
 void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
-           RadianceLanes& radiance, SurfaceDataLanes* data) {
+           RadianceLanes& radiance, const SampleLayers& layers) {
   RayPacket rays;
   rays.active = block.active;
   block.view.camera.rays(exposure, sample, rays);
-  block.integrator.trace(rays, block.id, block.evaluator, radiance, data);
+  block.integrator.trace(rays, block.id, block.evaluator, radiance, layers);
 }
 
 template <class Tracer>
 void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
                           RadianceLanes& radiance, Picture& picture) {
   SurfaceDataLanes data;
-  trace(block, 0, sample, radiance, &data);
+  trace(block, 0, sample, radiance, {&data});
   for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
 }
 
@@ -110,10 +109,12 @@ void render_data(const Block<Tracer>& block, Picture& picture) {
 template <class Tracer>
 void store(const Block<Tracer>& block, const RadianceLanes& radiance, Picture& picture) {
   const std::span<const Vec4f> lanes(radiance.lane);
-  for (int row = 0; row < block.height; ++row) {
-    picture.set_radiance_row(block.left, block.top + row,
-                             lanes.subspan(static_cast<std::size_t>(row * block_side),
-                                           static_cast<std::size_t>(block.width)));
+  const PixelWindow& within = block.within;
+  for (int y = within.top; y < within.bottom(); ++y) {
+    const int first = (y - block.top) * block_side + within.left - block.left;
+    picture.set_radiance_row(
+        within.left, y,
+        lanes.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(within.width)));
   }
 }
 

@@ -42,7 +42,7 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
     if (with_data && id.sample == 0) {
       trace_and_store_data(block, sample, radiance, picture);
     } else {
-      trace(block, exposure, sample, radiance, nullptr);
+      trace(block, exposure, sample, radiance, {});
     }
     if (index > 0) add(sum, next);
   }
@@ -51,6 +51,13 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
 template <class Tracer>
 void store_sample_count(const Block<Tracer>& block, int samples, Picture& picture) {
   for_pixels(block, [&](int x, int y, int) { picture.set_statistics(x, y, {Vec3f(0), samples}); });
+}
+
+// The multiple of `step` at or before `coordinate`: what a pixel is rendered with does not depend on which
+// part of a picture is rendered.
+int aligned(int coordinate, int step) {
+  const int rest = coordinate % step;
+  return coordinate - (rest < 0 ? rest + step : rest);
 }
 
 template <class Tracer>
@@ -91,23 +98,18 @@ void check_fault(const Scene& scene, const TemporalEvaluator& evaluator) {
 }
 
 template <class Tracer>
-void render_tile(const PictureView& view, const Tracer& integrator, std::size_t tile,
+void render_tile(const PictureView& view, const Tracer& integrator, const PixelWindow& tile,
                  Picture& picture) {
-  const int tiles_across = (picture.width() + tile_size - 1) / tile_size;
-  const int left = static_cast<int>(tile) % tiles_across * tile_size;
-  const int top = static_cast<int>(tile) / tiles_across * tile_size;
-  const int right = std::min(left + tile_size, picture.width());
-  const int bottom = std::min(top + tile_size, picture.height());
   std::unique_ptr<TemporalEvaluator> evaluator = view.context.evaluators.take();
-  for (int y = top; y < bottom; y += block_side) {
-    for (int x = left; x < right; x += block_side) {
+  for (int y = aligned(tile.top, block_side); y < tile.bottom(); y += block_side) {
+    for (int x = aligned(tile.left, block_side); x < tile.right(); x += block_side) {
       render_block(Block<Tracer>(view, integrator, *evaluator, x, y), picture);
     }
   }
   check_fault(view.context.scene, *evaluator);
   check_faults(integrator);
   view.context.evaluators.bring_back(std::move(evaluator));
-  const auto pixels = static_cast<std::size_t>((right - left) * (bottom - top));
+  const auto pixels = static_cast<std::size_t>(tile.width * tile.height);
   if (view.context.samples_done) {
     view.context.samples_done(pixels * samples_a_pixel(view.context.scene));
   }
@@ -133,19 +135,28 @@ bool measures_noise(const Scene& scene) {
 }
 
 Picture blank_picture(const Scene& scene) {
-  return {scene.render.width, scene.render.height, scene.output.layers, {scene.light_speed}};
+  return {
+      {0, 0, scene.render.width, scene.render.height}, scene.output.layers, {scene.light_speed}};
+}
+
+std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
+  std::vector<PixelWindow> tiles;
+  for (int y = aligned(window.top, tile_size); y < window.bottom(); y += tile_size) {
+    for (int x = aligned(window.left, tile_size); x < window.right(); x += tile_size) {
+      tiles.push_back(common_part({x, y, tile_size, tile_size}, window));
+    }
+  }
+  return tiles;
 }
 
 void render_picture(const RenderContext& context, int number, Picture& picture) {
-  const PictureView view(context, number);
-  const auto tiles = [](int length) {
-    return static_cast<std::size_t>((length + tile_size - 1) / tile_size);
-  };
-  const std::size_t count = tiles(picture.width()) * tiles(picture.height());
+  const PictureView view(context, number, picture.window());
+  const std::vector<PixelWindow> tiles = picture_tiles(picture.window());
   std::visit(
       [&](const auto& integrator) {
-        parallel_for(count,
-                     [&](std::size_t tile) { render_tile(view, integrator, tile, picture); });
+        parallel_for(tiles.size(), [&](std::size_t tile) {
+          render_tile(view, integrator, tiles[tile], picture);
+        });
       },
       context.integrator);
 }

@@ -29,6 +29,9 @@ bool measures_noise(const Scene& scene);
 // An empty picture with the scene's size and layers.
 Picture blank_picture(const Scene& scene);
 
+// The parts of a picture that are rendered on their own, row by row.
+std::vector<PixelWindow> picture_tiles(const PixelWindow& window);
+
 // Writes every pixel of `picture`. The same bits for any number of threads. Throws Interrupted when a
 // signal came, and InputError where a formula gives no finite value.
 void render_picture(const RenderContext& context, int number, Picture& picture);

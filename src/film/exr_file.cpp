@@ -68,9 +68,9 @@ constexpr double longest_float_time = 1024.0;
 double time_origin(const Picture& picture, ChannelKind kind) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
-  for (const ChannelPixels& pixels : picture.channels()) {
-    if (pixels.channel.kind != kind) continue;
-    for (const double t : pixels.times) {
+  for (const Plane& plane : picture.planes()) {
+    if (plane.kind != kind) continue;
+    for (const double t : plane.times) {
       if (std::isnan(t)) continue;
       least = std::min(least, t);
       most = std::max(most, t);
@@ -106,18 +106,18 @@ std::vector<Stored> stored_beauty(const Picture& picture, float largest, std::si
 constexpr const char* beauty_channels[4] = {"R", "G", "B", "A"};
 
 void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const char* name,
-                 Imf::PixelType type, const void* pixels, std::size_t stride, int width) {
+                 Imf::PixelType type, const void* pixels, std::size_t stride) {
+  const Imath::Box2i& window = header.dataWindow();
+  const auto columns = static_cast<std::size_t>(window.max.x - window.min.x + 1);
   header.channels().insert(name, Imf::Channel(type));
-  // OpenEXR's interface is not const; it only reads.
-  char* base = const_cast<char*>(static_cast<const char*>(pixels));
-  buffer.insert(name, Imf::Slice(type, base, stride, stride * static_cast<std::size_t>(width)));
+  buffer.insert(name, Imf::Slice::Make(type, pixels, window, stride, stride * columns));
 }
 
 template <class Stored>
 void add_beauty(Imf::Header& header, Imf::FrameBuffer& buffer, Imf::PixelType type,
-                const std::vector<Stored>& rgba, int width) {
+                const std::vector<Stored>& rgba) {
   for (std::size_t i = 0; i < 4; ++i) {
-    add_channel(header, buffer, beauty_channels[i], type, &rgba[i], 4 * sizeof(Stored), width);
+    add_channel(header, buffer, beauty_channels[i], type, &rgba[i], 4 * sizeof(Stored));
   }
 }
 
@@ -127,30 +127,25 @@ void encode(const Picture& picture, const PictureInfo& info, MemoryStream& strea
                           time_origin(picture, ChannelKind::time_world)};
   Imf::Header header = exr_header(picture, info, origins);
   Imf::FrameBuffer buffer;
-  const int width = picture.width();
   std::vector<half> halves;
   std::vector<float> floats;
   if (picture.has_beauty() && info.float_beauty) {
     floats = stored_beauty<float>(picture, std::numeric_limits<float>::max(), report.clamped);
-    add_beauty(header, buffer, Imf::FLOAT, floats, width);
+    add_beauty(header, buffer, Imf::FLOAT, floats);
   } else if (picture.has_beauty()) {
     halves = stored_beauty<half>(picture, HALF_MAX, report.clamped);
-    add_beauty(header, buffer, Imf::HALF, halves, width);
+    add_beauty(header, buffer, Imf::HALF, halves);
   }
   std::vector<std::vector<float>> times;
-  times.reserve(picture.channels().size());
-  for (const ChannelPixels& pixels : picture.channels()) {
-    const float* values = pixels.values.data();
-    if (pixels.channel.kind != ChannelKind::plain) {
-      const bool proper = pixels.channel.kind == ChannelKind::time_proper;
-      times.push_back(float_times(pixels.times, proper ? origins.first : origins.second));
+  times.reserve(picture.planes().size());
+  for (const Plane& plane : picture.planes()) {
+    const float* values = plane.values.data();
+    if (plane.kind != ChannelKind::plain) {
+      const bool proper = plane.kind == ChannelKind::time_proper;
+      times.push_back(float_times(plane.times, proper ? origins.first : origins.second));
       values = times.back().data();
     }
-    add_channel(header, buffer, pixels.channel.exr_name, Imf::FLOAT, values, sizeof(float), width);
-  }
-  for (const StatisticPixels& pixels : picture.statistics()) {
-    add_channel(header, buffer, pixels.channel.exr_name, Imf::FLOAT, pixels.values.data(),
-                sizeof(float), width);
+    add_channel(header, buffer, plane.name.c_str(), Imf::FLOAT, values, sizeof(float));
   }
   Imf::OutputFile file(stream, header);
   file.setFrameBuffer(buffer);

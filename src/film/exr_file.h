@@ -16,6 +16,7 @@ struct PictureInfo {
   int number = 0;
   double camera_time = 0;  // the camera's own clock when the shutter opens
   CameraPose pose;
+  PixelWindow display;  // what the camera's field of view fills; empty: the picture's window
   double light_speed = 1;
   double rate = 10;           // pictures a second
   bool float_beauty = false;  // else half

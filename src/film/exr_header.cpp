@@ -51,10 +51,18 @@ Imath::M44d world_to_camera(const PictureInfo& info) {
   return m;
 }
 
+Imath::Box2i exr_box(const PixelWindow& window) {
+  return {{window.left, window.top}, {window.right() - 1, window.bottom() - 1}};
+}
+
+PixelWindow display_of(const Picture& picture, const PictureInfo& info) {
+  return info.display.width > 0 ? info.display : picture.window();
+}
+
 // Film coordinates from (0, 0), top left, to (1, 1), after division by w = distance along the view.
-Imath::M44d ndc_from_camera(const Picture& picture, const PictureInfo& info) {
+Imath::M44d ndc_from_camera(const PixelWindow& display, const PictureInfo& info) {
   const double half_height = std::tan(0.5 * info.pose.vertical_fov);
-  const double half_width = half_height * picture.width() / picture.height();
+  const double half_width = half_height * display.width / display.height;
   return Imath::M44d(0.5 / half_width, 0, 0, 0,    //
                      0, -0.5 / half_height, 0, 0,  //
                      0.5, 0.5, 1, 1,               //
@@ -65,13 +73,14 @@ Imath::M44d ndc_from_camera(const Picture& picture, const PictureInfo& info) {
 
 Imf::Header exr_header(const Picture& picture, const PictureInfo& info,
                        const std::pair<double, double>& time_origins) {
-  Imf::Header header(picture.width(), picture.height());
+  const PixelWindow display = display_of(picture, info);
+  Imf::Header header(exr_box(display), exr_box(picture.window()));
   header.compression() = exr_compression(info.compression);
   Imf::addChromaticities(header, Imf::Chromaticities());  // Rec. 709
   Imf::addFramesPerSecond(header, Imf::Rational(info.rate));
   const Imath::M44d to_camera = world_to_camera(info);
   Imf::addWorldToCamera(header, Imath::M44f(to_camera));
-  Imf::addWorldToNDC(header, Imath::M44f(to_camera * ndc_from_camera(picture, info)));
+  Imf::addWorldToNDC(header, Imath::M44f(to_camera * ndc_from_camera(display, info)));
   const Vec3 velocity =
       Boost<in::Camera, in::World>(info.pose.world_from_camera.inverse()).velocity().beta();
   header.insert("cameraVelocity",

@@ -4,22 +4,29 @@
 
 namespace restframe {
 
-Picture::Picture(int width, int height, std::span<const Layer> layers, const DataUnits& units)
-    : width_(width), height_(height), units_(units) {
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (std::find(layers.begin(), layers.end(), Layer::beauty) != layers.end()) rgba_.resize(pixels);
-  for (const DataChannel& channel : data_channels(layers)) {
-    ChannelPixels pixels_of{channel, {}, {}};
-    if (channel.kind == ChannelKind::plain) {
-      pixels_of.values.resize(pixels);
-    } else {
-      pixels_of.times.resize(pixels);
-    }
-    channels_.push_back(std::move(pixels_of));
+Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units)
+    : window_(window),
+      units_(units),
+      data_(data_channels(layers)),
+      statistics_(statistic_channels(layers)) {
+  if (std::find(layers.begin(), layers.end(), Layer::beauty) != layers.end()) {
+    rgba_.resize(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()));
   }
-  for (const StatisticChannel& channel : statistic_channels(layers)) {
-    statistics_.push_back({channel, std::vector<float>(pixels)});
+  for (const DataChannel& channel : data_) add_plane(channel.exr_name, channel.kind);
+  for (const StatisticChannel& channel : statistics_) {
+    add_plane(channel.exr_name, ChannelKind::plain);
   }
+}
+
+void Picture::add_plane(const char* name, ChannelKind kind) {
+  const auto pixels = static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+  Plane plane{name, kind, {}, {}};
+  if (kind == ChannelKind::plain) {
+    plane.values.resize(pixels);
+  } else {
+    plane.times.resize(pixels);
+  }
+  planes_.push_back(std::move(plane));
 }
 
 bool Picture::shows_nothing() const {
@@ -29,20 +36,22 @@ bool Picture::shows_nothing() const {
 
 void Picture::set_data(int x, int y, const SurfaceData& data) {
   const std::size_t i = index(x, y);
-  for (ChannelPixels& pixels : channels_) {
-    const double value =
-        data.hit ? pixels.channel.value(data, units_) : pixels.channel.where_nothing_is_hit;
-    if (pixels.channel.kind == ChannelKind::plain) {
-      pixels.values[i] = static_cast<float>(value);
+  Plane* plane = planes_.data();
+  for (const DataChannel& channel : data_) {
+    const double value = data.hit ? channel.value(data, units_) : channel.where_nothing_is_hit;
+    if (channel.kind == ChannelKind::plain) {
+      plane->values[i] = static_cast<float>(value);
     } else {
-      pixels.times[i] = value;
+      plane->times[i] = value;
     }
+    ++plane;
   }
 }
 
 void Picture::set_statistics(int x, int y, const SampleStatistics& statistics) {
-  for (StatisticPixels& pixels : statistics_) {
-    pixels.values[index(x, y)] = pixels.channel.value(statistics);
+  Plane* plane = planes_.data() + data_.size();
+  for (const StatisticChannel& channel : statistics_) {
+    (plane++)->values[index(x, y)] = channel.value(statistics);
   }
 }
 

@@ -1,44 +1,41 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "film/aov.h"
 #include "scene/aligned_vector.h"
+#include "scene/pixel_window.h"
 #include "tracer/sample.h"
 
 namespace restframe {
 
-// One data channel of a picture. Times stay in double until the picture is written.
-struct ChannelPixels {
-  DataChannel channel;
+// One channel of a picture besides its beauty. Times stay in double until the picture is written.
+struct Plane {
+  std::string name;  // in an EXR
+  ChannelKind kind = ChannelKind::plain;
   std::vector<float> values;  // of a plain channel
-  std::vector<double> times;  // of a time
-};
-
-// One channel of what the samples of the beauty tell.
-struct StatisticPixels {
-  StatisticChannel channel;
-  std::vector<float> values;
+  std::vector<double> times;  // of a time; not a number where nothing is hit
 };
 
 // The pixels of one picture, row by row from the top. Each pixel is written by one thread.
 class Picture {
  public:
-  Picture(int width, int height, std::span<const Layer> layers, const DataUnits& units);
+  Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units);
 
-  int width() const { return width_; }
-  int height() const { return height_; }
-  bool has_beauty() const { return !rgba_.empty(); }
-  bool has_data() const { return !channels_.empty(); }
+  const PixelWindow& window() const { return window_; }
+  int width() const { return window_.width; }
+  int height() const { return window_.height; }
   // No pixel of the beauty is covered by anything.
   bool shows_nothing() const;
-  const AlignedVector<Vec4f>& rgba() const { return rgba_; }
-  const std::vector<ChannelPixels>& channels() const { return channels_; }
+  bool has_beauty() const { return !rgba_.empty(); }
+  bool has_data() const { return !data_.empty(); }
   bool has_statistics() const { return !statistics_.empty(); }
-  const std::vector<StatisticPixels>& statistics() const { return statistics_; }
+  const AlignedVector<Vec4f>& rgba() const { return rgba_; }
+  const std::vector<Plane>& planes() const { return planes_; }
 
-  // The pixels from (x, y) on to the right, which must lie in the picture.
+  // All pixels (x, y) must lie in the window; a row is those from (x, y) on to the right.
   void set_radiance_row(int x, int y, std::span<const Vec4f> pixels) {
     if (rgba_.empty()) return;
     Vec4f* to = &rgba_[index(x, y)];
@@ -50,15 +47,17 @@ class Picture {
 
  private:
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y - window_.top) * static_cast<std::size_t>(window_.width) +
+           static_cast<std::size_t>(x - window_.left);
   }
+  void add_plane(const char* name, ChannelKind kind);
 
-  int width_, height_;
+  PixelWindow window_;
   DataUnits units_;
   AlignedVector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
-  std::vector<ChannelPixels> channels_;
-  std::vector<StatisticPixels> statistics_;
+  std::vector<DataChannel> data_;
+  std::vector<StatisticChannel> statistics_;
+  std::vector<Plane> planes_;  // of the data, then of the statistics
 };
 
 }  // namespace restframe

@@ -91,6 +91,7 @@ inline float scrambled_unit(std::uint32_t coordinate_reversed, std::uint32_t see
 // 2^16.
 inline std::uint32_t morton_place(std::uint32_t x, std::uint32_t y) {
   const auto apart = [](std::uint32_t v) {
+    v &= 0xffffU;  // pixels left of and above the display have places, too
     v = (v | (v << 8)) & 0x00ff00ffU;
     v = (v | (v << 4)) & 0x0f0f0f0fU;
     v = (v | (v << 2)) & 0x33333333U;

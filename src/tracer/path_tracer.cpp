@@ -54,8 +54,8 @@ PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch s
 }
 
 void PathTracer::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
-                       RadianceLanes& radiance, SurfaceDataLanes* data) const {
-  PathWalk walk(stage_, id, evaluator, rays, data);
+                       RadianceLanes& radiance, const SampleLayers& layers) const {
+  PathWalk walk(stage_, id, evaluator, rays, layers);
   walk.run();
   walk.take_radiance(radiance);
   note_crossing(walk.crossing());

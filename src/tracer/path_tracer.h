@@ -15,10 +15,10 @@ class PathTracer {
   // Both must outlive the integrator.
   PathTracer(const Scene& scene, const FrameSet& frames, LightSearch search = LightSearch::both);
 
-  // `evaluator` belongs to the calling thread. `data`, if wanted, gets the first surface that a
+  // `evaluator` belongs to the calling thread. `layers.data`, if wanted, gets the first surface that a
   // stochastic opacity test keeps.
   void trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
-             RadianceLanes& radiance, SurfaceDataLanes* data) const;
+             RadianceLanes& radiance, const SampleLayers& layers) const;
 
   // Throws InputError if a path met something of another velocity inside a medium: media nest only
   // within one rest frame.

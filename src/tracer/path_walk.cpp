@@ -11,8 +11,8 @@ constexpr std::uint32_t most_rounds = 1000;
 }  // namespace
 
 PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator& evaluator,
-                   RayPacket& rays, SurfaceDataLanes* data)
-    : stage_(stage), random_(id), evaluator_(evaluator), rays_(rays), data_(data) {
+                   RayPacket& rays, const SampleLayers& layers)
+    : stage_(stage), random_(id), evaluator_(evaluator), rays_(rays), layers_(layers) {
   in_medium_.active.fill(0);
   paths_.throughput.x.fill(1.0F);
   paths_.throughput.y.fill(1.0F);
@@ -27,7 +27,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   }
   if (stage.spectra.shifts) choose_wavelengths(id);
   chosen_.density.fill(0.0F);
-  if (data_ != nullptr) data_->fill({});
+  if (layers_.data != nullptr) layers_.data->fill({});
 }
 
 void PathWalk::run() {
@@ -53,7 +53,7 @@ bool PathWalk::find_surfaces() {
     missed_[i] = ~hit & active;
   }
   surfaces_at(stage_.scene, stage_.frames, hits_, hit_, surfaces_);
-  stage_.frames.locate(hit_, stage_.has_clocks || data_ != nullptr, hits_, vertices_.at);
+  stage_.frames.locate(hit_, stage_.has_clocks || layers_.data != nullptr, hits_, vertices_.at);
   return true;
 }
 
@@ -97,11 +97,11 @@ void PathWalk::stop_or_pass() {
       if (group[lane] != 0) stop_or_pass(lane);
     }
   });
-  if (data_ == nullptr) return;
+  if (layers_.data == nullptr) return;
   for (int lane = 0; lane < packet_size; ++lane) {
-    if (met_[lane] != 0 && !(*data_)[lane].hit && paths_.scatterings[lane] == 0) {
+    if (met_[lane] != 0 && !(*layers_.data)[lane].hit && paths_.scatterings[lane] == 0) {
       const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
-      (*data_)[lane] = surface_data(met_surface(lane), place, rays_);
+      (*layers_.data)[lane] = surface_data(met_surface(lane), place, rays_);
     }
   }
 }

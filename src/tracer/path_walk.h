@@ -59,7 +59,7 @@ class PathWalk {
  public:
   // All arguments must outlive the walk. `rays` are the camera's, and change.
   PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator& evaluator,
-           RayPacket& rays, SurfaceDataLanes* data);
+           RayPacket& rays, const SampleLayers& layers);
 
   void run();
   void take_radiance(RadianceLanes& radiance) const;
@@ -231,7 +231,7 @@ class PathWalk {
   TemporalEvaluator& evaluator_;
   RayPacket& rays_;            // of the lanes outside of media
   MediumRayPacket in_medium_;  // of the others
-  SurfaceDataLanes* data_;
+  SampleLayers layers_;
   std::uint32_t round_ = 0;  // surfaces met so far
   PathLanes paths_;
   ChosenLanes chosen_;

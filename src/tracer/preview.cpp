@@ -140,7 +140,8 @@ SurfaceData Preview::data_of(const Met& met) const {
 }
 
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
-                    RadianceLanes& radiance, SurfaceDataLanes* data) const {
+                    RadianceLanes& radiance, const SampleLayers& layers) const {
+  SurfaceDataLanes* const data = layers.data;
   if (data != nullptr) data->fill({});
   HitPacket hits;
   SurfaceLanes surfaces;

@@ -16,10 +16,10 @@ class Preview {
   // Both must outlive the integrator.
   Preview(const Scene& scene, const FrameSet& frames);
 
-  // `evaluator` belongs to the calling thread. `data`, if wanted, gets the first surface that a stochastic
+  // `evaluator` belongs to the calling thread. `layers.data`, if wanted, gets the first surface that a stochastic
   // opacity test keeps.
   void trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
-             RadianceLanes& radiance, SurfaceDataLanes* data) const;
+             RadianceLanes& radiance, const SampleLayers& layers) const;
 
  private:
   // What a material is in this integrator, as far as it never changes. Red, green, blue and coverage.

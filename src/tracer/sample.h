@@ -27,4 +27,9 @@ struct SurfaceData {
 };
 using SurfaceDataLanes = Lanes<SurfaceData>;
 
+// What is wanted of 16 samples besides their light; null: not wanted.
+struct SampleLayers {
+  SurfaceDataLanes* data = nullptr;
+};
+
 }  // namespace restframe

@@ -18,10 +18,10 @@ inline Picture first_picture(const Scene& scene) {
 
 // The values of a channel, by its name in the EXR; times in full. Throws std::out_of_range.
 inline std::vector<double> channel_of(const Picture& picture, const std::string& name) {
-  for (const ChannelPixels& pixels : picture.channels()) {
-    if (pixels.channel.exr_name != name) continue;
-    if (!pixels.times.empty()) return pixels.times;
-    return {pixels.values.begin(), pixels.values.end()};
+  for (const Plane& plane : picture.planes()) {
+    if (plane.name != name) continue;
+    if (!plane.times.empty()) return plane.times;
+    return {plane.values.begin(), plane.values.end()};
   }
   throw std::out_of_range("no channel " + name);
 }
