@@ -76,10 +76,10 @@ TEST(Layers, TheTableHasEachOnce) {
   EXPECT_EQ(layer_table().size(), all_layers.size());
   EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
                                           "variance", "samples"}));
-  EXPECT_EQ(channels, (std::set<std::string>{"Z", "time_proper.V", "time_world.V", "doppler.D",
-                                             "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "UV.U",
-                                             "UV.V", "id_object.V", "id_material.V", "variance.R",
-                                             "variance.G", "variance.B", "samples.V"}));
+  EXPECT_EQ(channels, (std::set<std::string>{
+                          "Z", "time_proper.V", "time_world.V", "doppler.D", "N.X", "N.Y", "N.Z",
+                          "P.X", "P.Y", "P.Z", "UV.U", "UV.V", "UV.A", "id_object.V",
+                          "id_material.V", "variance.R", "variance.G", "variance.B", "samples.V"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
@@ -150,6 +150,7 @@ TEST(Exr, HoldsWhatWasSet) {
                                                  {"N.Z", -0.8F},
                                                  {"UV.U", 0.125F},
                                                  {"UV.V", 0.875F},
+                                                 {"UV.A", 1.0F},
                                                  {"id_object.V", 3.0F},
                                                  {"id_material.V", 5.0F},
                                                  {"variance.R", 0.25F},
