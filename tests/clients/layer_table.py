@@ -16,6 +16,7 @@ LAYERS = {  # besides the beauty, which is half unless `beaming`; all of these a
     "samples": ["samples.V"],
 }
 BEAUTY = ["R", "G", "B", "A"]
+MATTES = ()  # Cryptomatte's layers
 
 
 def planes_of(path):

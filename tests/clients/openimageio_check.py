@@ -5,7 +5,6 @@
 FOLDER has none.exr, without compression, and the same picture as rle.exr, zips.exr and so on.
 """
 
-import math
 import pathlib
 import sys
 
@@ -19,7 +18,7 @@ WIDTH, HEIGHT = 96, 64
 LOSSLESS = ("none", "rle", "zips", "zip", "piz")
 LOSSY = {"pxr24": 1e-4, "dwaa": 0.05, "dwab": 0.05}  # of a mean, relative
 EYE, AIM = numpy.array([1, 0.5, 6]), numpy.array([0.2, 0, 0])
-REST = {"veil": ([1.1, 0.3, 0.4], 1, 0), "bühne": ([0, -1, -1], 3, -80)}  # place, scale, turn about x
+AT_REST = {"veil": (1.1, 0.3, 0.4), "bühne": (0, -1, -1)}  # where they are
 report = layer_table.Report()
 
 
@@ -43,9 +42,8 @@ def check_channels(spec, ours):
     report.say(types == {"float"}, f"OpenImageIO: with beaming every channel is {types}")
     report.say(spec.channelnames[:5] == ("R", "G", "B", "A", "Z") and spec.alpha_channel == 3
                and spec.z_channel == 4, "OpenImageIO: knows red, green, blue, alpha and depth by name")
-    windows = [(s.x, s.y, s.width, s.height) for s in (spec.roi, spec.roi_full)] if False else \
-        [(spec.x, spec.y, spec.width, spec.height),
-         (spec.full_x, spec.full_y, spec.full_width, spec.full_height)]
+    windows = [(spec.x, spec.y, spec.width, spec.height),
+               (spec.full_x, spec.full_y, spec.full_width, spec.full_height)]
     report.say(windows == [(0, 0, WIDTH, HEIGHT)] * 2, f"OpenImageIO: data and display window {windows}")
 
 
@@ -99,8 +97,8 @@ def check_camera(spec):
 
 
 def world_points(planes, names):
-    """Of what rests, and the pixels where it is: its point times scale, turned, at its place."""
-    for name, (place, scale, turn) in REST.items():
+    """Of what rests: P from its place, and the pixels where it is."""
+    for name, place in AT_REST.items():
         rows, columns = numpy.nonzero(planes["id_object.V"] == names.index(name) + 1)
         yield columns, rows, numpy.stack([planes[f"P.{c}"][rows, columns] for c in "XYZ"], axis=1) + place
 
