@@ -84,11 +84,11 @@ class RESTFRAME_OT_render(Calling, bpy.types.Operator):
         return arguments
 
     def done(self, context, lines):
-        pictures.show(context, pictures.load(self.target / "picture.0000.exr"))
+        pictures.show(pictures.load(self.target / "picture.0000.exr"))
         warnings = [line for line in lines if line.startswith("warning: ")]
         if warnings:
-            self.report({"WARNING"}, f"restframe: {warnings[0]}; all of them are in the text "
-                                     f"\"{REPORT}\"")
+            self.report({"WARNING"}, f"restframe: {warnings[0][len('warning: '):]} "
+                                     f"({len(warnings)} in the text \"{REPORT}\")")
         return {"FINISHED"}
 
 

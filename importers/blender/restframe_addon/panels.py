@@ -29,7 +29,7 @@ def draw_velocity(layout, settings):
     layout.prop(settings, "velocity")
     speed = math.sqrt(sum(v * v for v in settings.velocity))
     if speed >= 1:
-        layout.label(text=f"{speed:.4f} of the speed of light: must be below 1", icon="ERROR")
+        layout.label(text=f"Is {speed:.4f}, must be below 1", icon="ERROR")
 
 
 class OBJECT_PT_restframe(Panel, bpy.types.Panel):

@@ -1,3 +1,5 @@
+import functools
+
 import bpy
 
 
@@ -8,16 +10,24 @@ def load(path):
     return image
 
 
-def show(context, image):
+def show(image):
+    """Soon, when the operator that made it is over: a new window hands out events meanwhile."""
+    if not bpy.app.background:
+        bpy.app.timers.register(functools.partial(show_now, image.name), first_interval=0.01)
+
+
+def show_now(name):
     """In every image editor that is open, or in a new window."""
-    if bpy.app.background:
-        return
-    editors = [area for window in context.window_manager.windows for area in window.screen.areas
+    windows = bpy.context.window_manager.windows
+    editors = [area for window in windows for area in window.screen.areas
                if area.type == "IMAGE_EDITOR"]
-    if not editors:
+    for area in editors or [new_editor(windows)]:
+        area.spaces.active.image = bpy.data.images.get(name)
+
+
+def new_editor(windows):
+    with bpy.context.temp_override(window=windows[0]):
         bpy.ops.wm.window_new()
-        area = context.window_manager.windows[-1].screen.areas[0]
-        area.type = "IMAGE_EDITOR"
-        editors = [area]
-    for area in editors:
-        area.spaces.active.image = image
+    area = windows[-1].screen.areas[0]
+    area.type = "IMAGE_EDITOR"
+    return area
