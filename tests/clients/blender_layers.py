@@ -93,14 +93,14 @@ def check_layers(sockets, composited, ours):
         good = all(numpy.array_equal(a, ours[name]) for a, name in zip(theirs, names))
         means = ", ".join(f"{layer_table.mean_of(a):.6g}/{layer_table.mean_of(ours[name]):.6g}"
                           for a, name in zip(theirs, names))
-        report.say(good, f"Blender: {socket}: every pixel alike; means theirs/ours {means}")
+        report.say(good, f"Blender: {socket}: {layer_table.likeness(good)}; means theirs/ours {means}")
 
 
 def check_mattes(layer, names, composited, ours):
     for number, name in enumerate(names):
         theirs, wanted = composited[f"{layer}_{number}.V"], cryptomatte.matte_of(ours, layer, name)
         good = numpy.abs(theirs - wanted).max() < 1e-6 and wanted.mean() > 0.005
-        report.say(good, f"Blender: {layer}: matte of \"{name}\": every pixel alike; "
+        report.say(good, f"Blender: {layer}: matte of \"{name}\": {layer_table.likeness(good)}; "
                          f"means theirs/ours {theirs.mean():.6f}/{wanted.mean():.6f}")
 
 

@@ -30,6 +30,10 @@ def mean_of(plane):
     return plane[numpy.isfinite(plane)].mean()
 
 
+def likeness(good):
+    return "every pixel alike" if good else "pixels differ"
+
+
 class Report:
     def __init__(self):
         self.faults = 0

@@ -52,7 +52,7 @@ def check_pixels(theirs, ours):
         good = all(numpy.array_equal(theirs[name], ours[name]) for name in names)
         means = ", ".join(f"{layer_table.mean_of(theirs[n]):.6g}/{layer_table.mean_of(ours[n]):.6g}"
                           for n in names)
-        report.say(good, f"OpenImageIO: {layer}: every pixel alike; means theirs/ours {means}")
+        report.say(good, f"OpenImageIO: {layer}: {layer_table.likeness(good)}; means theirs/ours {means}")
 
 
 def check_compressions(ours):

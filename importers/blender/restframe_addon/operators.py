@@ -38,13 +38,16 @@ class Calling:
         window_manager = context.window_manager
         self.timer = window_manager.event_timer_add(0.2, window=context.window)
         window_manager.modal_handler_add(self)
-        context.workspace.status_text_set(f"{self.bl_label}: restframe at work. Esc stops it")
         return {"RUNNING_MODAL"}
+
+    def progress(self):
+        return "at work"
 
     def modal(self, context, event):
         if event.type == "ESC":
             self.job.stop()
         if not self.job.is_done():
+            context.workspace.status_text_set(f"restframe: {self.progress()}. Esc stops it")
             return {"PASS_THROUGH"}
         context.window_manager.event_timer_remove(self.timer)
         context.workspace.status_text_set(None)
@@ -73,15 +76,20 @@ class RESTFRAME_OT_render(Calling, bpy.types.Operator):
 
     def arguments(self, context):
         settings = properties.settings_of(context.scene)
-        self.target = self.folder
+        self.target, self.wanted = self.folder, 1
         if self.animation:
             self.target = pathlib.Path(bpy.path.abspath(settings.folder)).absolute()
+            self.wanted = settings.pictures
         arguments = ["render", "scene.glb", "--output", self.target / "picture.####.exr", "--quiet"]
         if not self.animation:
             arguments += ["--pictures", "0"]
         elif settings.overwrite:
             arguments += ["--overwrite"]
         return arguments
+
+    def progress(self):
+        made = len(list(self.target.glob("picture.*.exr")))
+        return f"{made} of {self.wanted} pictures made"
 
     def done(self, context, lines):
         pictures.show(pictures.load(self.target / "picture.0000.exr"))
