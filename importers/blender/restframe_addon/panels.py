@@ -18,7 +18,8 @@ class Panel:
         layout.use_property_decorate = False
         if properties.has_foreign_text(owner):
             layout.label(text='The custom property "restframe" was not written here', icon="INFO")
-            layout.operator("restframe.take_over").of = self.bl_context_owner
+            if isinstance(owner[properties.KEY], str):
+                layout.operator("restframe.take_over").of = self.bl_context_owner
             return
         settings = properties.settings_of(owner)
         self.draw_settings(layout, settings)
