@@ -19,6 +19,7 @@
 
 #include "app/signals.h"
 #include "scene/error.h"
+#include "scene/message.h"
 
 namespace restframe {
 namespace {
@@ -27,9 +28,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto patience = 20ms;         // between two looks at the child and at signals
-constexpr auto grace = 5s;              // from SIGTERM to SIGKILL
-constexpr std::size_t shown_end = 500;  // characters of its output
+constexpr auto patience = 20ms;  // between two looks at the child and at signals
+constexpr auto grace = 5s;       // from SIGTERM to SIGKILL
 
 [[noreturn]] void fail_to_start(const fs::path& program, int error_number) {
   throw OutputError(program.string() +
@@ -55,10 +55,10 @@ class Descriptor {
 
 using Log = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-std::string end_of(std::FILE* log) {
+std::string end_of(std::FILE* log, std::size_t kept) {
   std::fseek(log, 0, SEEK_END);
   const long size = std::ftell(log);
-  std::string text(std::min(static_cast<std::size_t>(std::max(size, 0L)), shown_end), '\0');
+  std::string text(std::min(static_cast<std::size_t>(std::max(size, 0L)), kept), '\0');
   std::fseek(log, -static_cast<long>(text.size()), SEEK_END);
   text.resize(std::fread(text.data(), 1, text.size(), log));
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
@@ -155,8 +155,17 @@ std::optional<fs::path> program_on_path(std::string_view name) {
   return std::nullopt;
 }
 
+std::string words_of(const ChildResult& result) {
+  if (result.last_lines.empty()) return "it said nothing";
+  std::string text = result.last_lines;
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
+    text.replace(at, 1, "; ");
+  }
+  return on_one_line(text);
+}
+
 ChildResult run_child(const fs::path& program, const std::vector<std::string>& arguments,
-                      const NextInput& next_input) {
+                      const NextInput& next_input, std::size_t kept) {
   const Log log(std::tmpfile(), std::fclose);
   std::array<int, 2> ends{-1, -1};
   if (!log || pipe2(ends.data(), O_CLOEXEC) != 0) fail_to_start(program, errno);
@@ -175,7 +184,7 @@ ChildResult run_child(const fs::path& program, const std::vector<std::string>& a
     look_at_signals();
     std::this_thread::sleep_for(patience);
   }
-  return {taken && child.succeeded(), end_of(log.get())};
+  return {taken && child.succeeded(), end_of(log.get(), kept)};
 }
 
 }  // namespace restframe

@@ -14,16 +14,20 @@ std::optional<std::filesystem::path> program_on_path(std::string_view name);
 
 struct ChildResult {
   bool succeeded = false;  // exit code 0, and it took all its input
-  std::string last_lines;  // of its standard output and error, at most about 500 characters
+  std::string last_lines;  // of its standard output and error, the last of its characters
 };
+
+// The last lines as part of a message.
+std::string words_of(const ChildResult& result);
 
 // Gives the next piece of a program's standard input; an empty one ends it.
 using NextInput = std::function<std::string()>;
 
 // Runs a program with these arguments (its name not among them), without a shell, and waits for its
 // end. Throws OutputError if it can not be started, and Interrupted, with the program and what it
-// started ended, when a signal came.
+// started ended, when a signal came. kept: how many characters of its output.
 ChildResult run_child(const std::filesystem::path& program,
-                      const std::vector<std::string>& arguments, const NextInput& next_input);
+                      const std::vector<std::string>& arguments, const NextInput& next_input,
+                      std::size_t kept = 500);
 
 }  // namespace restframe

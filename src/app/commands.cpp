@@ -15,6 +15,8 @@ int run(const Options& options) {
     int operator()(const LatticeOptions& o) const { return author_lattice(o); }
     int operator()(const InfoOptions& o) const { return info(o, limits); }
     int operator()(const CheckOptions& o) const { return check(o, limits); }
+    int operator()(const SubmitOptions& o) const { return submit(o, limits); }
+    int operator()(const StatusOptions& o) const { return status(o, limits); }
     int operator()(const CurvesOptions& o) const { return curves(o); }
   };
   return std::visit(Dispatch{options.limits}, options.command);

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/info_json.h"
 #include "app/info_words.h"
+#include "app/job_needs.h"
 #include "scene/file_names.h"
 #include "scene/message.h"
 #include "scene/parallel.h"
@@ -124,12 +125,13 @@ void print_text(const std::string& file, const Inspected& inspected, const Frame
   if (inspected.is_scene_file) print_scene(file, scene, frames);
   for (const AssetReport& report : inspected.assets) fmt::print("{}", text_of(report));
   if (says_more && !inspected.is_scene_file) print_scene("as a scene", scene, frames);
-  fmt::print("memory: meshes {}, images {}, Embree {} ({} to build)\n",
+  fmt::print("memory: meshes {}, images {}, Embree {} ({} to build); rendering takes up to {}\n",
              size_text(static_cast<double>(bytes_in_memory(scene.meshes))),
              size_text(static_cast<double>(bytes_in_memory(scene.images) +
                                            bytes_in_memory(scene.sky_maps))),
              size_text(static_cast<double>(frames.embree_bytes())),
-             size_text(static_cast<double>(frames.peak_embree_bytes())));
+             size_text(static_cast<double>(frames.peak_embree_bytes())),
+             size_text(static_cast<double>(needs_of(scene, frames).bytes)));
   if (!inspected.warnings.empty()) fmt::print("warnings:\n");
   for (const std::string& warning : inspected.warnings) print("  " + warning);
 }

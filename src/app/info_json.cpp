@@ -2,6 +2,7 @@
 
 #include "app/info.h"
 #include "app/info_words.h"
+#include "app/job_needs.h"
 
 namespace restframe {
 namespace {
@@ -162,7 +163,8 @@ Json json_of(const Scene& scene, const FrameSet& frames, const std::vector<char>
            {{"meshes", bytes_in_memory(scene.meshes)},
             {"images", bytes_in_memory(scene.images) + bytes_in_memory(scene.sky_maps)},
             {"embree", frames.embree_bytes()},
-            {"embree_peak", frames.peak_embree_bytes()}}}};
+            {"embree_peak", frames.peak_embree_bytes()},
+            {"render", needs_of(scene, frames).bytes}}}};
 }
 
 std::string document_text(const Json& document) {

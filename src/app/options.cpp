@@ -4,12 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
+#include <functional>
 
 #include "app/option_values.h"
+#include "app/options_authoring.h"
+#include "app/options_submit.h"
 #include "app/version.h"
 #include "scene/error.h"
-#include "scene/file_names.h"
 #include "scene/message.h"
 #include "scene/suggest.h"
 
@@ -25,6 +26,7 @@ First steps:
   restframe render lattice.glb              a picture of it at rest: out/lattice.0000.exr and .png
   restframe render scene.toml               an animation, as a scene file says
   restframe render scene.toml --contact-sheet sheet.png       all of it on one page
+  restframe submit --slurm scene.toml       the same by a cluster; restframe status scene.toml
   restframe curves                          how fast clocks are seen to run: out/curves.svg
 
 A scene file of four lines:
@@ -69,12 +71,11 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
 }
 
 struct Texts {
-  std::string pictures, size, cells, instances = "nodes", speeds, view;
+  std::string pictures, size, view;
 };
 
-CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
-  CLI::App* command =
-      app.add_subcommand("render", "Render a scene file or an asset to EXR pictures");
+// Which pictures of what, for all commands that are about pictures.
+CLI::App* add_pictures(CLI::App* command, RenderOptions& render, Texts& texts) {
   command->add_option("SCENE", render.scene, "A scene file (.toml) or an asset")->required();
   command->add_option("-o,--output", render.output,
                       "Where pictures go, # for digits of their number: out/name.####.exr");
@@ -85,55 +86,34 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
       ->add_option("--noise", render.noise,
                    "Stop where pixels are this sure, as 0.02: --samples is then the most; 0: never")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--threads", render.threads, "Threads; 0: all cores")
-      ->check(CLI::Range(0, 1024));
   command->add_option("--variant", render.variant,
                       "The look of this name that a glTF asset comes in (KHR_materials_variants)");
-  command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
   command
       ->add_option("--exposure", render.exposure,
                    "Stops by which the .png, not the .exr, is brightened")
       ->check(CLI::Range(-most_stops, most_stops));
   command->add_option("--view", texts.view, "How the .png shows light beyond white")
       ->check(CLI::IsMember({"srgb", "filmic"}));
+  return command;
+}
+
+// How they are made.
+CLI::App* add_work(CLI::App* command, RenderOptions& render) {
+  command->add_option("--threads", render.threads, "Threads; 0: all cores")
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("--overwrite", render.overwrite, "Replace pictures that are there already");
+  return command;
+}
+
+CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
+  CLI::App* command =
+      app.add_subcommand("render", "Render a scene file or an asset to EXR pictures");
+  add_work(add_pictures(command, render, texts), render);
   command->add_option("--video", render.video,
                       "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");
   command->add_option("--contact-sheet", render.contact_sheet,
                       "Then all the pictures, small, on one: FILE.png");
   command->add_flag("-q,--quiet", render.quiet, "No progress bar, no closing line");
-  return command;
-}
-
-CLI::App* add_curves(CLI::App& app, CurvesOptions& curves, Texts& texts) {
-  CLI::App* command = app.add_subcommand(
-      "curves",
-      "Draw how fast a moving clock is seen to run against viewing direction (.svg, .csv)");
-  command->add_option("-o,--output", curves.output, "The drawing; the table lies beside, as .csv")
-      ->capture_default_str();
-  command->add_option("--speeds", texts.speeds, "Up to 8, in fractions of c")
-      ->default_str("0.85,0.9,0.99");
-  command->add_option("--step", curves.step, "Degrees between the table's rows, 0.001 to 90")
-      ->capture_default_str();
-  return command;
-}
-
-CLI::App* add_lattice(CLI::App& app, LatticeOptions& options, Texts& texts) {
-  CLI::App* command =
-      app.add_subcommand("lattice", "Author a lattice of balls and rods (.glb, .obj)");
-  LatticeSettings& lattice = options.lattice;
-  command->add_option("-o,--output", options.output, "The file to write: .glb or .obj")->required();
-  command->add_option("--cells", texts.cells, "Balls along x, y and z")->default_str("7x7x20");
-  command->add_option("--pitch", lattice.pitch, "Distance of neighbouring balls")
-      ->capture_default_str();
-  command->add_option("--ball", lattice.ball_radius, "Radius of the balls")->capture_default_str();
-  command->add_option("--rod", lattice.rod_radius, "Radius of the rods")->capture_default_str();
-  command->add_option("--fineness", lattice.fineness, "Times the balls' icosahedron is subdivided")
-      ->capture_default_str();
-  command
-      ->add_option("--instances", texts.instances,
-                   "nodes: a node a part; gpu: EXT_mesh_gpu_instancing; none: one flat mesh")
-      ->check(CLI::IsMember({"nodes", "gpu", "none"}))
-      ->capture_default_str();
   return command;
 }
 
@@ -151,25 +131,31 @@ RenderOptions completed(RenderOptions render, const Texts& texts) {
   return render;
 }
 
-LatticeOptions completed(LatticeOptions options, const Texts& texts) {
-  LatticeSettings& lattice = options.lattice;
-  if (!texts.cells.empty()) {
-    parse_sizes("--cells", texts.cells, {&lattice.cells_x, &lattice.cells_y, &lattice.cells_z});
-  }
-  if (texts.instances == "gpu") options.instances = InstanceMode::gpu;
-  if (texts.instances == "none") options.instances = InstanceMode::none;
-  return options;
+CLI::App* add_info(CLI::App& app, InfoOptions& info) {
+  CLI::App* command = app.add_subcommand("info",
+                                         "Say what a scene or an asset holds: rest frames, "
+                                         "objects; the asset as a tree, sizes, memory");
+  command->add_option("FILE", info.file, "A scene file or an asset")->required();
+  command->add_flag("--json", info.json, "As JSON, for programs; see scenes/reference.md");
+  return command;
 }
 
-CurvesOptions completed(CurvesOptions options, const Texts& texts) {
-  if (!texts.speeds.empty()) options.speeds = parse_speeds(texts.speeds);
-  if (!(options.step >= 0.001 && options.step <= 90)) {
-    throw InputError(fmt::format("--step: {} degrees, must be 0.001 to 90", options.step));
+CLI::App* add_check(CLI::App& app, CheckOptions& check) {
+  CLI::App* command =
+      app.add_subcommand("check", "List every fault of a scene or an asset, render nothing");
+  command->add_option("FILE", check.file, "A scene file or an asset")->required();
+  return command;
+}
+
+void parse(CLI::App& app, int argc, char** argv) {
+  check_first_word(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    throw HelpShown{app.exit(asked)};
+  } catch (const CLI::ParseError& error) {
+    throw InputError(fmt::format("options: {} (see restframe --help)", error.what()));
   }
-  if (lower_extension(options.output) != ".svg") {
-    throw InputError(fmt::format("--output: {} must end in .svg", quote(options.output)));
-  }
-  return options;
 }
 
 }  // namespace
@@ -184,40 +170,34 @@ Options parse_options(int argc, char** argv) {
   InfoOptions info;
   CheckOptions check;
   CurvesOptions curves;
+  SubmitOptions submit;
+  StatusOptions status;
   Texts texts;
-  const CLI::App* render_command = add_render(app, render, texts);
-  const CLI::App* lattice_command = add_lattice(app, lattice, texts);
-  const CLI::App* curves_command = add_curves(app, curves, texts);
-  CLI::App* info_command = app.add_subcommand("info",
-                                              "Say what a scene or an asset holds: rest frames, "
-                                              "objects; the asset as a tree, sizes, memory");
-  info_command->add_option("FILE", info.file, "A scene file or an asset")->required();
-  info_command->add_flag("--json", info.json, "As JSON, for programs; see scenes/reference.md");
-  CLI::App* check_command =
-      app.add_subcommand("check", "List every fault of a scene or an asset, render nothing");
-  check_command->add_option("FILE", check.file, "A scene file or an asset")->required();
-  for (CLI::App* command : app.get_subcommands({})) {
-    if (command != lattice_command && command != curves_command)
-      add_limits(*command, options.limits);
+  AuthoringTexts authoring;
+  struct Command {
+    CLI::App* parsed;
+    bool reads_files;
+    std::function<decltype(Options::command)()> options;
+  };
+  CLI::App* render_command = add_render(app, render, texts);
+  CLI::App* submit_command = add_work(add_pictures(add_submit(app, submit), render, texts), render);
+  CLI::App* status_command = add_pictures(add_status(app, status), render, texts);
+  const Command commands[] = {
+      {render_command, true, [&] { return completed(render, texts); }},
+      {submit_command, true,
+       [&] { return completed(submit, completed(render, texts), *submit_command); }},
+      {status_command, true, [&] { return completed(status, completed(render, texts)); }},
+      {add_lattice(app, lattice, authoring), false, [&] { return completed(lattice, authoring); }},
+      {add_curves(app, curves, authoring), false, [&] { return completed(curves, authoring); }},
+      {add_info(app, info), true, [&] { return info; }},
+      {add_check(app, check), true, [&] { return check; }},
+  };
+  for (const Command& command : commands) {
+    if (command.reads_files) add_limits(*command.parsed, options.limits);
   }
-  check_first_word(app, argc, argv);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    throw HelpShown{app.exit(asked)};
-  } catch (const CLI::ParseError& error) {
-    throw InputError(fmt::format("options: {} (see restframe --help)", error.what()));
-  }
-  if (app.got_subcommand(render_command)) {
-    options.command = completed(render, texts);
-  } else if (app.got_subcommand(lattice_command)) {
-    options.command = completed(lattice, texts);
-  } else if (app.got_subcommand(curves_command)) {
-    options.command = completed(curves, texts);
-  } else if (app.got_subcommand(info_command)) {
-    options.command = info;
-  } else {
-    options.command = check;
+  parse(app, argc, argv);
+  for (const Command& command : commands) {
+    if (app.got_subcommand(command.parsed)) options.command = command.options();
   }
   return options;
 }

@@ -30,6 +30,24 @@ struct RenderOptions {
   std::optional<std::string> video, contact_sheet;  // files made of the previews
 };
 
+// Pictures made by a cluster's scheduler.
+struct SubmitOptions {
+  RenderOptions render;
+  bool by_slurm = false;
+  std::vector<std::string>
+      passed_on;  // options of the scene and its pictures as given, for each task
+  int chunk = 0;  // pictures a task; 0: as many as give at most 100 tasks
+  std::string time, partition, memory;  // of a task, in Slurm's words; empty: as we or Slurm choose
+  std::vector<std::string> directives;  // further options of sbatch
+  bool dry_run = false;
+};
+
+// Which pictures are there.
+struct StatusOptions {
+  RenderOptions render;
+  bool json = false;
+};
+
 struct LatticeOptions {
   std::string output;
   LatticeSettings lattice;
@@ -53,7 +71,9 @@ struct CurvesOptions {
 };
 
 struct Options {
-  std::variant<RenderOptions, LatticeOptions, InfoOptions, CheckOptions, CurvesOptions> command;
+  std::variant<RenderOptions, LatticeOptions, InfoOptions, CheckOptions, CurvesOptions,
+               SubmitOptions, StatusOptions>
+      command;
   ImportLimits limits;
 };
 

@@ -42,13 +42,6 @@ std::string first_difference(const std::string& before, const std::string& now) 
   }
 }
 
-enum class Found { nothing_of_use, the_same, another };
-
-struct ExistingPicture {
-  Found found = Found::nothing_of_use;
-  std::string difference;
-};
-
 ExistingPicture compare_with(const std::filesystem::path& path, const std::string& settings,
                              const std::string& sources) {
   const std::string old_settings = exr_text(path, settings_attribute);
@@ -97,6 +90,17 @@ std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool 
     if (existing.found == Found::nothing_of_use) numbers.push_back(number);
   }
   return numbers;
+}
+
+std::vector<ExistingPicture> existing_pictures(const Scene& scene, int first, int last) {
+  const std::string settings = canonical_settings(scene);
+  const std::string sources = sources_text(scene);
+  std::vector<ExistingPicture> pictures;
+  for (int number = first; number <= last; ++number) {
+    const auto path = picture_path(scene.output.path, number, first == last);
+    pictures.push_back(compare_with(path, settings, sources));
+  }
+  return pictures;
 }
 
 PictureInfo common_info(const Scene& scene) {

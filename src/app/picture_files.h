@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,6 +20,16 @@ std::string file_content(const std::filesystem::path& path);
 // Of the pictures [first, last], those that are still to be made: missing or torn ones. A complete
 // picture of another scene is an InputError that says what differs; `overwrite` makes all again.
 std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool overwrite);
+
+enum class Found : std::uint8_t { nothing_of_use, the_same, another };
+
+struct ExistingPicture {
+  Found found = Found::nothing_of_use;
+  std::string difference;  // of another scene's
+};
+
+// What is there under the names of the pictures [first, last].
+std::vector<ExistingPicture> existing_pictures(const Scene& scene, int first, int last);
 
 // What the header says: of all pictures of a scene, and of one.
 PictureInfo common_info(const Scene& scene);

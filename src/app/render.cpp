@@ -38,11 +38,7 @@ PictureRange range_of(const RenderOptions& options, const AnimationSettings& ani
   return *options.pictures;
 }
 
-struct Job {
-  Scene scene;
-  PictureRange range;
-  bool single() const { return range.first == range.last; }
-};
+}  // namespace
 
 Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
   Scene scene = loaded_scene(options.scene, limits, options.variant);
@@ -57,6 +53,8 @@ Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
   }
   return job;
 }
+
+namespace {
 
 void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool single, bool quiet,
                      int threads) {

@@ -16,15 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr double slowest = 0.01, fastest = 1000;  // pictures a second
 
-std::string last_words(const ChildResult& result) {
-  if (result.last_lines.empty()) return "it said nothing";
-  std::string text = result.last_lines;
-  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
-    text.replace(at, 1, "; ");
-  }
-  return on_one_line(text);
-}
-
 }  // namespace
 
 fs::path checked_encoder(const fs::path& video, double rate) {
@@ -68,7 +59,7 @@ void write_video(const fs::path& video, std::span<const fs::path> pngs, double r
   std::error_code error;
   const bool made = fs::file_size(file.temporary_path(), error) > 0 && !error;
   if (!result.succeeded || !made) {
-    throw OutputError(fmt::format("{}: ffmpeg failed: {}", video.string(), last_words(result)));
+    throw OutputError(fmt::format("{}: ffmpeg failed: {}", video.string(), words_of(result)));
   }
   file.commit();
 }

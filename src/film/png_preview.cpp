@@ -1,9 +1,7 @@
 #include "film/png_preview.h"
 
-#include <cmath>
-
+#include "film/srgb_bytes.h"
 #include "scene/atomic_file.h"
-#include "scene/color.h"
 #include "scene/error.h"
 
 #pragma GCC diagnostic push
@@ -23,26 +21,33 @@ void append_bytes(void* to, void* bytes, int count) {
                                                    first, first + count);
 }
 
-std::uint8_t byte_of(float encoded) {
-  const float value = std::isfinite(encoded) ? glm::clamp(encoded, 0.0F, 1.0F) : 1.0F;
-  return static_cast<std::uint8_t>(std::lround(255.0F * value));
+// A third faster than the library's defaults, and 3% larger.
+void prefer_speed() {
+  static const bool preferred = [] {
+    stbi_write_png_compression_level = 5;
+    stbi_write_force_png_filter = 4;  // Paeth's
+    return true;
+  }();
+  static_cast<void>(preferred);
 }
 
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Picture& picture,
                const Development& development) {
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(3 * picture.rgba().size());
+  const SrgbBytes byte_of;
+  std::vector<std::uint8_t> rgb(3 * picture.rgba().size());
+  std::uint8_t* to = rgb.data();
   for (const Vec4f& pixel : picture.rgba()) {
-    const Vec3f encoded = srgb_from_linear(developed(Vec3f(pixel), development));
-    for (int i = 0; i < 3; ++i) rgb.push_back(byte_of(encoded[i]));
+    const Vec3f light = developed(Vec3f(pixel), development);
+    for (int i = 0; i < 3; ++i) *to++ = byte_of(light[i]);
   }
   write_png(path, picture.width(), picture.height(), rgb);
 }
 
 void write_png(const std::filesystem::path& path, int width, int height,
                std::span<const std::uint8_t> rgb) {
+  prefer_speed();
   std::vector<std::byte> file;
   if (stbi_write_png_to_func(append_bytes, &file, width, height, 3, rgb.data(), 3 * width) == 0) {
     throw OutputError(path.string() + ": the picture can not be encoded as PNG");
