@@ -36,6 +36,7 @@ AssetObjects add_objects(const Path& path, int variant, SceneFile& file) {
   Object object;
   object.name = path.stem().string();
   object.parts = placed_parts(asset, groups.resting, object_from_asset);
+  if (wants_part_names(file.scene)) name_parts(asset, groups.resting, "", object);
   file.object_of_name.emplace(object.name, 0);
   file.scene.objects.push_back(std::move(object));
   file.object_from_asset.push_back(object_from_asset);

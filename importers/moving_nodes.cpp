@@ -95,6 +95,10 @@ std::map<int, int> add_moving_nodes(int base, const std::map<int, NodeRanges>& m
     const Mat4 from_asset = glm::translate(object_from_asset, -motion.origin);
     Object object = moving_object(motion, file.scene.objects[base_index], object_from_asset);
     object.parts = placed_parts(asset, nodes, from_asset);
+    object.whole = file.scene.objects[base_index].name;
+    if (wants_part_names(file.scene) && has_many_nodes(asset, nodes)) {
+      name_parts(asset, nodes, prefix, object);
+    }
     added[index] = static_cast<int>(file.scene.objects.size());
     object.name =
         claim_name(prefix + node_name(asset.tree, motion.node), added[index], numbers, file);

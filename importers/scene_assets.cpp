@@ -6,8 +6,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "importers/asset_extras.h"
 #include "importers/material_change.h"
-
 #include "scene/error.h"
 #include "scene/material_properties.h"
 #include "scene/message.h"
@@ -142,6 +142,41 @@ std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& 
     }
   }
   return parts;
+}
+
+bool wants_part_names(const Scene& scene) {
+  const std::vector<Layer>& layers = scene.output.layers;
+  return std::find(layers.begin(), layers.end(), Layer::crypto_object) != layers.end();
+}
+
+bool has_many_nodes(const SceneAsset& asset, const NodeRanges& nodes) {
+  int first = -1;
+  for (const NodeRange& range : nodes) {
+    const auto begin = first_part(asset, range.begin), end = first_part(asset, range.end);
+    if (begin == end) continue;
+    if (first >= 0 || begin->node != std::prev(end)->node) return true;
+    first = begin->node;
+  }
+  return false;
+}
+
+void name_parts(const SceneAsset& asset, const NodeRanges& nodes, const std::string& prefix,
+                Object& object) {
+  const bool many = has_many_nodes(asset, nodes);
+  int named = -1;
+  auto placed = object.parts.begin();
+  for (const NodeRange& range : nodes) {
+    const auto end = first_part(asset, range.end);
+    for (auto part = first_part(asset, range.begin); part != end; ++part) {
+      const AssetNode& node = asset.tree.nodes[static_cast<std::size_t>(part->node)];
+      if (!many && node.name.empty()) return;
+      if (part->node != named) {
+        object.part_names.push_back(prefix + node_name(asset.tree, part->node));
+      }
+      named = part->node;
+      (placed++)->name = static_cast<int>(object.part_names.size()) - 1;
+    }
+  }
 }
 
 }  // namespace restframe

@@ -49,4 +49,15 @@ std::size_t count_parts(const SceneAsset& asset, const NodeRanges& nodes);
 std::vector<PlacedMesh> placed_parts(const SceneAsset& asset, const NodeRanges& nodes,
                                      const Mat4& object_from_asset);
 
+// Whether a layer tells parts by their names. Without one, nobody needs them.
+bool wants_part_names(const Scene& scene);
+
+// Whether more than one of the nodes has a mesh.
+bool has_many_nodes(const SceneAsset& asset, const NodeRanges& nodes);
+
+// Calls the parts of an object, which placed_parts gave for these nodes, by the nodes' names after
+// the prefix. A single node without a name leaves them the object's.
+void name_parts(const SceneAsset& asset, const NodeRanges& nodes, const std::string& prefix,
+                Object& object);
+
 }  // namespace restframe

@@ -59,6 +59,18 @@ void read_multiple(TableReader& exposure, ExposureSettings& settings) {
   }
 }
 
+// [camera.stereo]
+void read_stereo(TableReader& camera_table, double light_speed, Camera& camera) {
+  const ConfigTable* table = camera_table.table("stereo");
+  if (!table) return;
+  TableReader stereo(*table, {camera_table.report.faults, camera_table.report.name + ": stereo"});
+  StereoSettings& settings = camera.stereo.emplace();
+  if (!stereo.has("separation")) stereo.report(stereo.place(), "separation is missing");
+  settings.separation = stereo.number("separation", at_least(0)).value_or(0) / light_speed;
+  settings.convergence = stereo.number("convergence", at_least(0)).value_or(0) / light_speed;
+  stereo.finish();
+}
+
 }  // namespace
 
 void read_exposure(TableReader& root, SceneFile& file) {
@@ -82,6 +94,7 @@ void read_lens_and_rolling(TableReader& camera_table, double light_speed, Camera
                  "aperture needs focus, the distance of what is to be sharp");
   }
   camera.rolling = table.number("rolling", at_least(0)).value_or(0);
+  read_stereo(table, light_speed, camera);
 }
 
 }  // namespace restframe

@@ -144,6 +144,9 @@ void read_object(const ConfigTable& table, SceneFile& file) {
       nodes.clear();
     }
     object.parts = placed_parts(its_asset, groups.resting, object_from_asset);
+    if (wants_part_names(file.scene) && has_many_nodes(its_asset, groups.resting)) {
+      name_parts(its_asset, groups.resting, object.name + "/", object);
+    }
     warn_if_empty(reader, its_asset, object, groups, file);
   }
   file.object_from_asset.push_back(object_from_asset);

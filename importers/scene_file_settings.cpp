@@ -10,15 +10,27 @@ namespace restframe {
 namespace {
 
 // In the order of the enumerations Layer and Compression.
-const std::vector<std::string> layer_names = {"beauty", "Z",  "time", "doppler",  "N",
-                                              "P",      "UV", "id",   "variance", "samples"};
-const std::vector<std::string> compression_names = {"none", "rle",   "zips", "zip",
-                                                    "piz",  "pxr24", "dwaa", "dwab"};
+const std::vector<std::string> layer_names = {"beauty",
+                                              "Z",
+                                              "time",
+                                              "doppler",
+                                              "N",
+                                              "P",
+                                              "UV",
+                                              "id",
+                                              "variance",
+                                              "samples",
+                                              "depth",
+                                              "normal",
+                                              "crypto_object",
+                                              "crypto_material",
+                                              "crypto_asset"};
+const std::vector<std::string> compression_names = {"none",  "rle",  "zips", "zip", "piz",
+                                                    "pxr24", "dwaa", "dwab", "b44", "b44a"};
 
 bool is_later_layer(const std::string& name) {
   static const std::vector<std::string> later = {
-      "motion",     "albedo",       "normal",        "direct",          "indirect",    "emission",
-      "reflection", "transmission", "crypto_object", "crypto_material", "crypto_asset"};
+      "motion", "albedo", "direct", "indirect", "emission", "reflection", "transmission"};
   return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
 }
 
@@ -49,10 +61,39 @@ void read_resolution(TableReader& render, RenderSettings& settings) {
     render.report(value->at, "resolution must be [width, height]");
     return;
   }
-  const auto width = read_whole_number((*array)[0], "width", 1, 32'768, render.report);
-  const auto height = read_whole_number((*array)[1], "height", 1, 32'768, render.report);
+  const auto width = read_whole_number((*array)[0], "width", 1, most_pixels_a_side, render.report);
+  const auto height =
+      read_whole_number((*array)[1], "height", 1, most_pixels_a_side, render.report);
   settings.width = static_cast<int>(width.value_or(settings.width));
   settings.height = static_cast<int>(height.value_or(settings.height));
+}
+
+// crop = [left, top, width, height]
+void read_crop(TableReader& render, RenderSettings& settings) {
+  settings.overscan = render.integer("overscan", 0, most_overscan).value_or(0);
+  const ConfigValue* value = render.find("crop");
+  if (!value) return;
+  const auto* array = std::get_if<ConfigArray>(&value->data);
+  if (!array || array->size() != 4) {
+    render.report(value->at, "crop must be [left, top, width, height]");
+    return;
+  }
+  constexpr std::int64_t most = most_pixels_a_side + 2 * most_overscan;
+  const auto number = [&](std::size_t i, const char* what, std::int64_t low) {
+    const auto read = read_whole_number((*array)[i], what, low, most, render.report);
+    return static_cast<int>(read.value_or(1));
+  };
+  const PixelWindow crop{number(0, "crop's left", -most_overscan),
+                         number(1, "crop's top", -most_overscan), number(2, "crop's width", 1),
+                         number(3, "crop's height", 1)};
+  settings.crop = crop;
+  if (contains(whole_window(settings), crop)) return;
+  const PixelWindow whole = whole_window(settings);
+  render.report(value->at,
+                fmt::format("crop reaches from ({}, {}) to ({}, {}), must lie within ({}, {}) and "
+                            "({}, {}), the resolution and its overscan",
+                            crop.left, crop.top, crop.right(), crop.bottom(), whole.left, whole.top,
+                            whole.right(), whole.bottom()));
 }
 
 void read_render(TableReader& root, SceneFile& file) {
@@ -61,6 +102,7 @@ void read_render(TableReader& root, SceneFile& file) {
   TableReader render(*table, {file.faults, "render"});
   RenderSettings& settings = file.scene.render;
   read_resolution(render, settings);
+  read_crop(render, settings);
   settings.samples = render.integer("samples", 1, 65'536).value_or(settings.samples);
   settings.noise = render.number("noise", from_to(0, 1)).value_or(settings.noise);
   settings.beaming = render.boolean("beaming").value_or(settings.beaming);
@@ -94,15 +136,38 @@ std::vector<Layer> read_layers(const ConfigArray& names, TableReader& output) {
   return layers;
 }
 
-void read_layers(TableReader& output, OutputSettings& settings) {
-  const ConfigValue* value = output.find("layers");
+void read_layers(TableReader& output, const char* key, std::vector<Layer>& layers) {
+  const ConfigValue* value = output.find(key);
   if (!value) return;
   const auto* names = std::get_if<ConfigArray>(&value->data);
   if (!names || names->empty()) {
-    output.report(value->at, "layers must be an array of at least one layer's name");
+    output.report(value->at, fmt::format("{} must be an array of at least one layer's name", key));
     return;
   }
-  settings.layers = read_layers(*names, output);
+  layers = read_layers(*names, output);
+}
+
+// Which layers are stored in 16 bits, and which in 32.
+void read_pixel_types(TableReader& output, OutputSettings& settings) {
+  read_layers(output, "half", settings.half_layers);
+  read_layers(output, "float", settings.float_layers);
+  const auto check = [&](const char* key, const std::vector<Layer>& layers, bool are_half) {
+    for (const Layer layer : layers) {
+      const std::string& name = layer_names[static_cast<std::size_t>(layer)];
+      const auto report = [&](const std::string& what) {
+        output.report(output.place(key), fmt::format("{}: \"{}\" {}", key, name, what));
+      };
+      if (!has_layer(settings.layers, layer)) {
+        report("is not among `layers`");
+      } else if (are_half && needs_float(layer)) {
+        report("must stay float: half would lose what it tells");
+      } else if (are_half && has_layer(settings.float_layers, layer)) {
+        report("is named by float, too");
+      }
+    }
+  };
+  check("half", settings.half_layers, true);
+  check("float", settings.float_layers, false);
 }
 
 // An asset, which may be a stranger's, writes below the current folder only.
@@ -129,7 +194,12 @@ void read_output(TableReader& root, SceneFile& file) {
   if (!table) return;
   TableReader output(*table, {file.faults, "output"});
   read_path(output, file);
-  read_layers(output, settings);
+  read_layers(output, "layers", settings.layers);
+  read_pixel_types(output, settings);
+  settings.split = output.boolean("split").value_or(settings.split);
+  settings.compression_level =
+      output.number("compression_level", from_to(0, most_compression_level))
+          .value_or(settings.compression_level);
   if (const auto index = output.choice("compression", compression_names)) {
     settings.compression = static_cast<Compression>(*index);
   }
@@ -139,7 +209,6 @@ void read_output(TableReader& root, SceneFile& file) {
   if (const auto index = output.choice("view", {"srgb", "filmic"})) {
     settings.view = static_cast<ViewTransform>(*index);
   }
-  output.not_supported({"split"});
   output.finish();
 }
 

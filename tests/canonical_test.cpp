@@ -87,7 +87,38 @@ TEST(Canonical, ChangesWithTheCamera) {
       {"aperture", [](Scene& s) { s.camera.aperture = 0.1; }},
       {"focus", [](Scene& s) { s.camera.focus = 0.1; }},
       {"rolling", [](Scene& s) { s.camera.rolling = 0.1; }},
+      {"two eyes", [](Scene& s) { s.camera.stereo.emplace(); }},
+      {"separation", [](Scene& s) { s.camera.stereo = StereoSettings{0.1, 0}; }},
+      {"convergence", [](Scene& s) { s.camera.stereo = StereoSettings{0.1, 1}; }},
   });
+}
+
+// Names of parts are pixels of Cryptomatte's layers, and of no others.
+TEST(Canonical, ChangesWithNamesThatLayersTellApart) {
+  const auto with = [](Layer layer, const Change& change) {
+    return text_after([&](Scene& s) {
+      s.output.layers = {layer};
+      change(s);
+    });
+  };
+  const auto named = [](const std::string& name, int of_part) {
+    return [=](Scene& s) {
+      s.objects[0].part_names = {"one", name};
+      s.objects[0].parts[0].name = of_part;
+    };
+  };
+  const Change nothing = [](Scene&) {};
+  const Change whole = [](Scene& s) { s.objects[0].whole = "all"; };
+  EXPECT_NE(with(Layer::crypto_object, nothing), with(Layer::crypto_object, named("two", 0)));
+  EXPECT_NE(with(Layer::crypto_object, named("two", 0)),
+            with(Layer::crypto_object, named("too", 0)));
+  EXPECT_NE(with(Layer::crypto_object, named("two", 0)),
+            with(Layer::crypto_object, named("two", 1)));
+  EXPECT_EQ(with(Layer::crypto_object, nothing), with(Layer::crypto_object, whole));
+  EXPECT_NE(with(Layer::crypto_asset, nothing), with(Layer::crypto_asset, whole));
+  EXPECT_EQ(with(Layer::crypto_asset, nothing), with(Layer::crypto_asset, named("two", 0)));
+  EXPECT_EQ(with(Layer::z, nothing), with(Layer::z, named("two", 0)));
+  EXPECT_NE(with(Layer::crypto_asset, nothing), with(Layer::crypto_material, nothing));
 }
 
 TEST(Canonical, ChangesWithExposures) {
@@ -177,6 +208,13 @@ TEST(Canonical, ChangesWithSettings) {
       {"seed", [](Scene& s) { s.render.seed = ~0ULL; }},
       {"layers", [](Scene& s) { s.output.layers.push_back(Layer::time); }},
       {"compression", [](Scene& s) { s.output.compression = Compression::dwaa; }},
+      {"compression level", [](Scene& s) { s.output.compression_level = 46; }},
+      {"half", [](Scene& s) { s.output.half_layers = {Layer::z}; }},
+      {"float", [](Scene& s) { s.output.float_layers = {Layer::z}; }},
+      {"split", [](Scene& s) { s.output.split = true; }},
+      {"overscan", [](Scene& s) { s.render.overscan = 1; }},
+      {"crop", [](Scene& s) { s.render.crop = PixelWindow{0, 0, 2, 2}; }},
+      {"another crop", [](Scene& s) { s.render.crop = PixelWindow{1, 0, 2, 2}; }},
   });
 }
 

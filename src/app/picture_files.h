@@ -14,6 +14,23 @@ namespace restframe {
 // (see output_pattern_fault).
 std::filesystem::path picture_path(const std::string& pattern, int number, bool single);
 
+// A file of a picture: of all its layers, or of one.
+struct LayerFile {
+  std::string layer;  // empty: all
+  std::filesystem::path path;
+};
+
+// In the order in which they are written: a picture is there when all of its images are.
+struct PictureFiles {
+  std::filesystem::path preview;
+  std::vector<LayerFile> images;
+};
+PictureFiles picture_files(const Scene& scene, int number, bool single);
+
+// "out/name.####.exr" and "Z" give "out/name.Z.####.exr": before the number, with the separator that
+// stands there; or before the extension.
+std::string layer_pattern(const std::string& pattern, const std::string& layer);
+
 // All bytes of a file. Throws InputError where it can not be read.
 std::string file_content(const std::filesystem::path& path);
 
@@ -25,7 +42,8 @@ enum class Found : std::uint8_t { nothing_of_use, the_same, another };
 
 struct ExistingPicture {
   Found found = Found::nothing_of_use;
-  std::string difference;  // of another scene's
+  std::string difference;      // of another scene's ...
+  std::filesystem::path path;  // ... file; or the last one that is of no use
 };
 
 // What is there under the names of the pictures [first, last].

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <future>
 
-#include "film/exr_file.h"
+#include "app/picture_files.h"
 #include "film/view_transform.h"
 
 namespace restframe {
@@ -15,19 +15,20 @@ class PictureWriter {
       : preview_(settings.preview), development_(development(settings)) {}
   ~PictureWriter();
 
-  // Waits for the picture before; rethrows what went wrong with it. `picture` must stay as it is until the
-  // next call has returned.
-  void write(std::filesystem::path path, const Picture& picture, PictureInfo info);
+  // Waits for the picture before; rethrows what went wrong with it. `views`, one an eye, must stay as they
+  // are until the next call has returned.
+  void write(PictureFiles files, std::span<const Picture> views, PictureInfo info);
   // Waits for the last one.
   void finish();
 
-  std::size_t clamped_values() const { return clamped_; }
+  // Of all pictures that have been waited for.
+  const WriteReport& report() const { return report_; }
 
  private:
   bool preview_;
   Development development_;
   std::future<WriteReport> pending_;
-  std::size_t clamped_ = 0;
+  WriteReport report_;
 };
 
 }  // namespace restframe

@@ -56,29 +56,53 @@ Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
 
 namespace {
 
+std::size_t samples_a_picture(const Scene& scene) {
+  const PixelWindow window = picture_window(scene.render);
+  return static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height) *
+         samples_a_pixel(scene) * eyes_of(scene.camera).size();
+}
+
+bool show_nothing(const std::vector<Picture>& views) {
+  return std::all_of(views.begin(), views.end(),
+                     [](const Picture& view) { return view.shows_nothing(); });
+}
+
+void report_clamped(const WriteReport& written) {
+  if (written.clamped > 0) {
+    report_warning(
+        fmt::format("{} values of the beauty were not finite or beyond what the file "
+                    "holds, and were clamped",
+                    written.clamped));
+  }
+  if (written.clamped_data > 0) {
+    report_warning(
+        fmt::format("{} values of other layers were beyond what half holds, and were clamped; "
+                    "output.half names these layers",
+                    written.clamped_data));
+  }
+}
+
 void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool single, bool quiet,
                      int threads) {
   const FrameSet frames(scene, threads);
   const Integrator integrator = make_integrator(scene, frames);
   EvaluatorPool evaluators(scene.functions);
-  Progress progress(numbers.size(),
-                    static_cast<std::size_t>(scene.render.width) *
-                        static_cast<std::size_t>(scene.render.height) * samples_a_pixel(scene),
-                    quiet);
+  Progress progress(numbers.size(), samples_a_picture(scene), quiet);
   const RenderContext context{scene, integrator, evaluators,
                               [&](std::size_t samples) { progress.samples_done(samples); }};
   // One is rendered while the other is written.
-  std::vector<Picture> pictures(std::min<std::size_t>(numbers.size(), 2), blank_picture(scene));
+  std::vector<std::vector<Picture>> pictures(std::min<std::size_t>(numbers.size(), 2),
+                                             blank_views(scene));
   const PictureInfo common = common_info(scene);
   PictureWriter writer(scene.output);
   std::size_t empty = 0;
   std::size_t current = 0;
   for (const int number : numbers) {
-    render_picture(context, number, pictures[current]);
-    writer.write(picture_path(scene.output.path, number, single), pictures[current],
+    render_views(context, number, pictures[current]);
+    writer.write(picture_files(scene, number, single), pictures[current],
                  picture_info(common, scene, number));
     progress.picture_done();
-    if (pictures[current].shows_nothing()) ++empty;
+    if (show_nothing(pictures[current])) ++empty;
     current = (current + 1) % pictures.size();
   }
   writer.finish();
@@ -88,22 +112,19 @@ void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool s
                     "sees them",
                     empty, numbers.size()));
   }
-  if (writer.clamped_values() > 0) {
-    report_warning(
-        fmt::format("{} values of the beauty were not finite or beyond what the file "
-                    "holds, and were clamped",
-                    writer.clamped_values()));
-  }
+  report_clamped(writer.report());
 }
 
 void print_result(const Job& job, std::size_t made) {
   const auto count = static_cast<std::size_t>(job.range.last - job.range.first + 1);
   const auto path = [&](int number) {
-    return picture_path(job.scene.output.path, number, job.single()).string();
+    return picture_files(job.scene, number, job.single()).images.front().path.string();
   };
-  fmt::print("{} of {} pictures made{}: {}{}{}\n", made, count,
+  const std::size_t files = picture_files(job.scene, job.range.first, job.single()).images.size();
+  fmt::print("{} of {} pictures made{}: {}{}{}{}\n", made, count,
              made < count ? fmt::format(", {} were there already", count - made) : "",
              path(job.range.first), job.single() ? "" : " to " + path(job.range.last),
+             files > 1 ? fmt::format(", and so for {} more layers", files - 1) : "",
              job.scene.output.preview ? ", a .png beside each" : "");
 }
 

@@ -6,7 +6,10 @@
 #include <span>
 
 #include "app/render_picture.h"
+#include "film/cryptomatte.h"
+#include "tracer/apparent_surface.h"
 #include "tracer/camera_sampler.h"
+#include "tracer/cover_counts.h"
 #include "tracer/exposed_camera.h"
 
 namespace restframe {
@@ -37,19 +40,27 @@ void place_block(const BlockPattern& pattern, int left, int top, const PixelWind
 struct PictureView {
   const RenderContext& context;
   int number;
-  PixelWindow window;
+  PixelWindow window;  // that is kept ...
+  // ... of all that could be: packets are the same whichever part is kept, and so are pixels.
+  PixelWindow whole;
   CameraSampler sampler;
   ExposedCamera camera;
   BlockPattern pattern;
+  MatteIds mattes;
   bool measured;  // how sure pixels are
+  bool apparent;  // surfaces as the camera sees them are among the data layers
 
-  PictureView(const RenderContext& of, int picture, const PixelWindow& pixels)
+  PictureView(const RenderContext& of, int picture, const PixelWindow& pixels, Eye eye)
       : context(of),
         number(picture),
         window(pixels),
+        whole(whole_window(of.scene.render)),
         sampler(of.scene),
-        camera(of.scene, sampler, picture_time(of.scene.animation, picture)),
-        measured(measures_noise(of.scene)) {}
+        camera(of.scene, sampler, picture_time(of.scene.animation, picture), eye),
+        mattes(matte_ids(of.scene)),
+        measured(measures_noise(of.scene)),
+        apparent(has_layer(of.scene.output.layers, Layer::depth) ||
+                 has_layer(of.scene.output.layers, Layer::apparent_normal)) {}
 };
 
 // A square of pixels that is rendered as one packet after the other.
@@ -59,24 +70,26 @@ struct Block {
   const Tracer& integrator;
   TemporalEvaluator& evaluator;
   int left, top;
-  PixelWindow within;  // the part of it that is in the picture
+  PixelWindow within;  // the part of it that is kept
   PixelLanes pixels;
-  Lanes<std::int32_t> active;  // lanes off the picture stay inactive
-  PacketId id;                 // of the sample at hand
+  Lanes<std::int32_t> active;     // lanes beyond the display and its overscan stay inactive
+  PacketId id;                    // of the sample at hand
+  CoverCounts* covers = nullptr;  // of all samples; null: not wanted
 
   Block(const PictureView& of, const Tracer& by, TemporalEvaluator& with, int x, int y)
       : view(of), integrator(by), evaluator(with), left(x), top(y) {
     within = common_part({left, top, block_side, block_side}, view.window);
     id.seed = view.context.scene.render.seed;
     id.picture = static_cast<std::uint32_t>(view.number);
-    place_block(view.pattern, left, top, within, pixels, active, id.pixel);
+    place_block(view.pattern, left, top, view.whole, pixels, active, id.pixel);
   }
 };
 
 template <class Tracer, class Store>
 void for_pixels(const Block<Tracer>& block, const Store& store) {
   for (int lane = 0; lane < packet_size; ++lane) {
-    if (block.active[lane] != 0) store(block.pixels.x[lane], block.pixels.y[lane], lane);
+    const int x = block.pixels.x[lane], y = block.pixels.y[lane];
+    if (contains(block.within, {x, y, 1, 1})) store(x, y, lane);
   }
 }
 
@@ -91,10 +104,17 @@ void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
 
 template <class Tracer>
 void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
-                          RadianceLanes& radiance, Picture& picture) {
+                          RadianceLanes& radiance, CoverCounts* covers, Picture& picture) {
   SurfaceDataLanes data;
-  trace(block, 0, sample, radiance, {&data});
-  for_pixels(block, [&](int x, int y, int lane) { picture.set_data(x, y, data[lane]); });
+  trace(block, 0, sample, radiance, {&data, covers});
+  for_pixels(block, [&](int x, int y, int lane) {
+    if (block.view.apparent && data[lane].hit) {
+      const auto object = static_cast<std::size_t>(data[lane].object);
+      set_apparent(block.view.camera.sight(0, sample, lane),
+                   block.view.context.scene.objects[object].worldline.velocity, data[lane]);
+    }
+    picture.set_data(x, y, data[lane]);
+  });
 }
 
 // Data layers of samples that are spread over time or the lens: no sample is the ray they hold.
@@ -103,7 +123,7 @@ void render_data(const Block<Tracer>& block, Picture& picture) {
   CameraSample sample;
   block.view.sampler.take_center(block.pixels, sample);
   RadianceLanes unused;
-  trace_and_store_data(block, sample, unused, picture);
+  trace_and_store_data(block, sample, unused, nullptr, picture);
 }
 
 template <class Tracer>
@@ -115,6 +135,15 @@ void store(const Block<Tracer>& block, const RadianceLanes& radiance, Picture& p
     picture.set_radiance_row(
         within.left, y,
         lanes.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(within.width)));
+  }
+}
+
+template <class Tracer>
+void store_mattes(const Block<Tracer>& block, int samples, Picture& picture) {
+  for (const MatteKind kind : picture.mattes()) {
+    for_pixels(block, [&](int x, int y, int lane) {
+      picture.set_matte(x, y, kind, matte_ranks(block.covers->of(kind, lane), samples));
+    });
   }
 }
 

@@ -40,9 +40,9 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
     RadianceLanes next;
     RadianceLanes& radiance = index == 0 ? sum : next;
     if (with_data && id.sample == 0) {
-      trace_and_store_data(block, sample, radiance, picture);
+      trace_and_store_data(block, sample, radiance, block.covers, picture);
     } else {
-      trace(block, exposure, sample, radiance, {});
+      trace(block, exposure, sample, radiance, {nullptr, block.covers});
     }
     if (index > 0) add(sum, next);
   }
@@ -61,15 +61,16 @@ int aligned(int coordinate, int step) {
 }
 
 template <class Tracer>
-void render_block(Block<Tracer>&& block, Picture& picture) {
+void render_block(Block<Tracer>& block, Picture& picture) {
   const Scene& scene = block.view.context.scene;
   const PictureView& view = block.view;
   const bool data_apart = picture.has_data() && (view.sampler.spreads() || view.measured);
   if (data_apart) render_data(block, picture);
-  if (data_apart && !picture.has_beauty()) return;
+  const bool all_samples = picture.has_beauty() || block.covers != nullptr;
+  if (data_apart && !all_samples) return;
   if (view.measured) return render_measured(block, picture);
-  const int samples = picture.has_beauty() ? scene.render.samples : 1;
-  const int exposures = picture.has_beauty() ? scene.exposure.count : 1;
+  const int samples = all_samples ? scene.render.samples : 1;
+  const int exposures = all_samples ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
     if (interrupt_requested()) throw Interrupted();
@@ -78,6 +79,7 @@ void render_block(Block<Tracer>&& block, Picture& picture) {
     total.add(sum, 1.0F / static_cast<float>(samples));
   }
   store(block, total.combined(), picture);
+  store_mattes(block, samples * exposures, picture);
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
 
@@ -101,9 +103,14 @@ template <class Tracer>
 void render_tile(const PictureView& view, const Tracer& integrator, const PixelWindow& tile,
                  Picture& picture) {
   std::unique_ptr<TemporalEvaluator> evaluator = view.context.evaluators.take();
+  const auto covers =
+      picture.mattes().empty() ? nullptr : std::make_unique<CoverCounts>(view.mattes);
   for (int y = aligned(tile.top, block_side); y < tile.bottom(); y += block_side) {
     for (int x = aligned(tile.left, block_side); x < tile.right(); x += block_side) {
-      render_block(Block<Tracer>(view, integrator, *evaluator, x, y), picture);
+      Block<Tracer> block(view, integrator, *evaluator, x, y);
+      block.covers = covers.get();
+      if (covers) covers->clear();
+      render_block(block, picture);
     }
   }
   check_fault(view.context.scene, *evaluator);
@@ -135,8 +142,11 @@ bool measures_noise(const Scene& scene) {
 }
 
 Picture blank_picture(const Scene& scene) {
-  return {
-      {0, 0, scene.render.width, scene.render.height}, scene.output.layers, {scene.light_speed}};
+  return {picture_window(scene.render), scene.output.layers, {scene.light_speed}};
+}
+
+std::vector<Picture> blank_views(const Scene& scene) {
+  return std::vector<Picture>(eyes_of(scene.camera).size(), blank_picture(scene));
 }
 
 std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
@@ -149,8 +159,8 @@ std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
   return tiles;
 }
 
-void render_picture(const RenderContext& context, int number, Picture& picture) {
-  const PictureView view(context, number, picture.window());
+void render_picture(const RenderContext& context, int number, Picture& picture, Eye eye) {
+  const PictureView view(context, number, picture.window(), eye);
   const std::vector<PixelWindow> tiles = picture_tiles(picture.window());
   std::visit(
       [&](const auto& integrator) {
@@ -159,6 +169,13 @@ void render_picture(const RenderContext& context, int number, Picture& picture) 
         });
       },
       context.integrator);
+}
+
+void render_views(const RenderContext& context, int number, std::vector<Picture>& views) {
+  const std::vector<Eye> eyes = eyes_of(context.scene.camera);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    render_picture(context, number, views[i], eyes[i]);
+  }
 }
 
 }  // namespace restframe

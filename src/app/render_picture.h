@@ -26,14 +26,19 @@ std::size_t samples_a_pixel(const Scene& scene);
 // Whether it is found out how sure the pixels of the beauty are: to stop early, or as a layer.
 bool measures_noise(const Scene& scene);
 
-// An empty picture with the scene's size and layers.
+// An empty picture with the scene's window and layers; and one for each of the camera's eyes.
 Picture blank_picture(const Scene& scene);
+std::vector<Picture> blank_views(const Scene& scene);
 
 // The parts of a picture that are rendered on their own, row by row.
 std::vector<PixelWindow> picture_tiles(const PixelWindow& window);
 
 // Writes every pixel of `picture`. The same bits for any number of threads. Throws Interrupted when a
 // signal came, and InputError where a formula gives no finite value.
-void render_picture(const RenderContext& context, int number, Picture& picture);
+void render_picture(const RenderContext& context, int number, Picture& picture,
+                    Eye eye = Eye::centre);
+
+// The same for all eyes.
+void render_views(const RenderContext& context, int number, std::vector<Picture>& views);
 
 }  // namespace restframe

@@ -91,7 +91,8 @@ void make_show(const Show& show, const Scene& scene) {
     for (const std::size_t i : evenly_chosen(previews.size(), largest_sheet)) {
       chosen.push_back(previews[i]);
     }
-    write_contact_sheet(*options.contact_sheet, chosen, scene.render.width, scene.render.height);
+    const PixelWindow window = picture_window(scene.render);
+    write_contact_sheet(*options.contact_sheet, chosen, window.width, window.height);
     if (!options.quiet) {
       fmt::print("{}: {} of {} pictures{}\n", *options.contact_sheet, chosen.size(),
                  previews.size(), chosen.size() < previews.size() ? ", evenly chosen" : "");

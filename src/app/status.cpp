@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -22,9 +23,11 @@ struct PictureStates {
   std::string difference;  // of the first one of another scene
 };
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
+bool is_any_there(const PictureFiles& files) {
+  return std::any_of(files.images.begin(), files.images.end(), [](const LayerFile& image) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(image.path, error));
+  });
 }
 
 PictureStates states_of(const Job& job) {
@@ -37,7 +40,7 @@ PictureStates states_of(const Job& job) {
     } else if (picture.found == Found::another) {
       if (states.difference.empty()) states.difference = picture.difference;
       states.of_another_scene.push_back(number);
-    } else if (is_there(picture_path(job.scene.output.path, number, job.single()))) {
+    } else if (is_any_there(picture_files(job.scene, number, job.single()))) {
       states.torn.push_back(number);
     } else {
       states.missing.push_back(number);

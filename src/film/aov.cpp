@@ -48,6 +48,18 @@ constexpr std::array id_channels{DataChannel{"id_object.V", ChannelKind::plain, 
                                  DataChannel{"id_material.V", ChannelKind::plain, 0.0,
                                              [](Data d, Units) { return d.material + 1.0; }}};
 
+constexpr std::array depth_channels{
+    DataChannel{"depth.Z", ChannelKind::plain, infinite,
+                [](Data d, Units u) { return d.depth * u.light_speed; }}};
+
+constexpr std::array apparent_normal_channels{
+    DataChannel{"normal.X", ChannelKind::plain, 0.0,
+                [](Data d, Units) { return d.apparent_normal.x; }},
+    DataChannel{"normal.Y", ChannelKind::plain, 0.0,
+                [](Data d, Units) { return d.apparent_normal.y; }},
+    DataChannel{"normal.Z", ChannelKind::plain, 0.0,
+                [](Data d, Units) { return d.apparent_normal.z; }}};
+
 using Statistics = const SampleStatistics&;
 
 float within_float(float value) {
@@ -62,23 +74,33 @@ constexpr std::array variance_channels{
 constexpr std::array sample_channels{
     StatisticChannel{"samples.V", [](Statistics s) { return static_cast<float>(s.samples); }}};
 
-constexpr std::array table{LayerInfo{Layer::beauty, "beauty", {}},
-                           LayerInfo{Layer::z, "Z", distance_channels},
-                           LayerInfo{Layer::time, "time", time_channels},
-                           LayerInfo{Layer::doppler, "doppler", doppler_channels},
-                           LayerInfo{Layer::normal, "N", normal_channels},
-                           LayerInfo{Layer::position, "P", position_channels},
-                           LayerInfo{Layer::uv, "UV", uv_channels},
-                           LayerInfo{Layer::id, "id", id_channels},
-                           LayerInfo{Layer::variance, "variance", {}, variance_channels},
-                           LayerInfo{Layer::samples, "samples", {}, sample_channels}};
+constexpr std::array table{
+    LayerInfo{Layer::beauty, "beauty", {}},
+    LayerInfo{Layer::z, "Z", distance_channels},
+    LayerInfo{Layer::depth, "depth", depth_channels},
+    LayerInfo{Layer::time, "time", time_channels},
+    LayerInfo{Layer::doppler, "doppler", doppler_channels},
+    LayerInfo{Layer::normal, "N", normal_channels},
+    LayerInfo{Layer::apparent_normal, "normal", apparent_normal_channels},
+    LayerInfo{Layer::position, "P", position_channels},
+    LayerInfo{Layer::uv, "UV", uv_channels},
+    LayerInfo{Layer::id, "id", id_channels},
+    LayerInfo{Layer::variance, "variance", {}, variance_channels},
+    LayerInfo{Layer::samples, "samples", {}, sample_channels},
+    LayerInfo{Layer::crypto_object, "crypto_object", {}, {}, MatteKind::object},
+    LayerInfo{Layer::crypto_material, "crypto_material", {}, {}, MatteKind::material},
+    LayerInfo{Layer::crypto_asset, "crypto_asset", {}, {}, MatteKind::asset}};
+
+bool is_among(Layer layer, std::span<const Layer> layers) {
+  return std::find(layers.begin(), layers.end(), layer) != layers.end();
+}
 
 template <class Channel>
 std::vector<Channel> channels_of(std::span<const Layer> layers,
                                  std::span<const Channel> LayerInfo::*of_layer) {
   std::vector<Channel> channels;
   for (const LayerInfo& info : table) {
-    if (std::find(layers.begin(), layers.end(), info.layer) == layers.end()) continue;
+    if (!is_among(info.layer, layers)) continue;
     const std::span<const Channel> own = info.*of_layer;
     channels.insert(channels.end(), own.begin(), own.end());
   }
@@ -91,12 +113,50 @@ std::span<const LayerInfo> layer_table() {
   return table;
 }
 
+std::vector<std::string> layer_names(std::span<const Layer> layers) {
+  std::vector<std::string> names;
+  for (const LayerInfo& info : table) {
+    const bool wanted = std::find(layers.begin(), layers.end(), info.layer) != layers.end();
+    if (wanted) names.emplace_back(info.scene_name);
+  }
+  return names;
+}
+
+std::string layer_of_channel(const std::string& exr_name) {
+  const auto is_it = [&](const auto& channel) { return exr_name == channel.exr_name; };
+  for (const LayerInfo& info : table) {
+    if (std::any_of(info.channels.begin(), info.channels.end(), is_it)) return info.scene_name;
+  }
+  const std::size_t dot = exr_name.find('.');
+  if (dot == std::string::npos) return "beauty";
+  if (exr_name.starts_with("light_")) return "lights";
+  // Cryptomatte has a number for each four channels.
+  const bool numbered = exr_name.starts_with("crypto_");
+  const std::size_t last = numbered ? exr_name.find_last_not_of("0123456789", dot - 1) : dot - 1;
+  return exr_name.substr(0, last + 1);
+}
+
+bool is_light(const std::string& layer_name) {
+  const auto* info = std::find_if(table.begin(), table.end(), [&](const LayerInfo& layer) {
+    return layer_name == layer.scene_name;
+  });
+  return info != table.end() && info->layer == Layer::beauty;
+}
+
 std::vector<DataChannel> data_channels(std::span<const Layer> layers) {
   return channels_of(layers, &LayerInfo::channels);
 }
 
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers) {
   return channels_of(layers, &LayerInfo::statistics);
+}
+
+std::vector<LayerInfo> matte_layers(std::span<const Layer> layers) {
+  std::vector<LayerInfo> mattes;
+  for (const LayerInfo& info : table) {
+    if (info.matte && is_among(info.layer, layers)) mattes.push_back(info);
+  }
+  return mattes;
 }
 
 }  // namespace restframe

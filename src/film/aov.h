@@ -3,9 +3,11 @@
 // The one table of layers: what each is called in a scene file and in an EXR, and where its values
 // come from (design, section 7).
 
+#include <optional>
 #include <span>
 
 #include "scene/settings.h"
+#include "tracer/cover_counts.h"
 #include "tracer/sample.h"
 
 namespace restframe {
@@ -45,12 +47,24 @@ struct LayerInfo {
   const char* scene_name;                             // in the scene file's output.layers
   std::span<const DataChannel> channels;              // empty for the beauty
   std::span<const StatisticChannel> statistics = {};  // of the beauty
+  std::optional<MatteKind> matte = {};                // Cryptomatte's channels, by scene_name
 };
 
 std::span<const LayerInfo> layer_table();
 
+// Names of layers, in the table's order.
+std::vector<std::string> layer_names(std::span<const Layer> layers);
+
+// The layer of a picture's channel: "N.X" is of "N", "time_world.V" of "time", "R" of "beauty".
+std::string layer_of_channel(const std::string& exr_name);
+// Whether it is only looked at: a lossy compression may change it.
+bool is_light(const std::string& layer_name);
+
 // The channels of these layers, in the table's order.
 std::vector<DataChannel> data_channels(std::span<const Layer> layers);
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers);
+
+// Those of these layers that are mattes, likewise.
+std::vector<LayerInfo> matte_layers(std::span<const Layer> layers);
 
 }  // namespace restframe

@@ -3,17 +3,22 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
+#include <OpenEXR/ImfMultiView.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <half.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <span>
 
 #include "film/exr_header.h"
+#include "film/stored_picture.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
 
@@ -62,106 +67,170 @@ class MemoryInput : public Imf::IStream {
   std::size_t position_ = 0;
 };
 
-// Floats keep blink phases up to here; beyond, an origin is taken off.
-constexpr double longest_float_time = 1024.0;
-
-double time_origin(const Picture& picture, ChannelKind kind) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (const Plane& plane : picture.planes()) {
-    if (plane.kind != kind) continue;
-    for (const double t : plane.times) {
-      if (std::isnan(t)) continue;
-      least = std::min(least, t);
-      most = std::max(most, t);
-    }
+bool loses_precision(Compression compression) {
+  switch (compression) {
+    case Compression::none:
+    case Compression::rle:
+    case Compression::zips:
+    case Compression::zip:
+    case Compression::piz:
+      return false;
+    case Compression::pxr24:
+    case Compression::dwaa:
+    case Compression::dwab:
+    case Compression::b44:
+    case Compression::b44a:
+      break;
   }
-  const bool small = std::max(std::abs(least), std::abs(most)) <= longest_float_time;
-  return least > most || small ? 0.0 : std::floor(least);
+  return true;
 }
 
-std::vector<float> float_times(const std::vector<double>& times, double origin) {
-  std::vector<float> result(times.size());
-  std::transform(times.begin(), times.end(), result.begin(), [origin](double t) {
-    return std::isnan(t) ? 0.0F : static_cast<float>(t - origin);
-  });
-  return result;
-}
-
-// The beauty in the type in which it is stored, within that type's range.
-template <class Stored>
-std::vector<Stored> stored_beauty(const Picture& picture, float largest, std::size_t& changed) {
-  std::vector<Stored> result;
-  result.reserve(4 * picture.rgba().size());
-  for (const Vec4f& pixel : picture.rgba()) {
-    for (int i = 0; i < 4; ++i) {
-      const float value = std::isnan(pixel[i]) ? 0.0F : glm::clamp(pixel[i], -largest, largest);
-      if (value != pixel[i]) ++changed;
-      result.emplace_back(value);
-    }
-  }
-  return result;
-}
-
-constexpr const char* beauty_channels[4] = {"R", "G", "B", "A"};
-
-void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const char* name,
-                 Imf::PixelType type, const void* pixels, std::size_t stride) {
-  const Imath::Box2i& window = header.dataWindow();
-  const auto columns = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  header.channels().insert(name, Imf::Channel(type));
-  buffer.insert(name, Imf::Slice::Make(type, pixels, window, stride, stride * columns));
-}
-
-template <class Stored>
-void add_beauty(Imf::Header& header, Imf::FrameBuffer& buffer, Imf::PixelType type,
-                const std::vector<Stored>& rgba) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    add_channel(header, buffer, beauty_channels[i], type, &rgba[i], 4 * sizeof(Stored));
-  }
-}
-
-void encode(const Picture& picture, const PictureInfo& info, MemoryStream& stream,
-            WriteReport& report) {
-  const std::pair origins{time_origin(picture, ChannelKind::time_proper),
-                          time_origin(picture, ChannelKind::time_world)};
-  Imf::Header header = exr_header(picture, info, origins);
+// What a file holds under one header.
+struct Part {
+  Imf::Header header;
   Imf::FrameBuffer buffer;
-  std::vector<half> halves;
-  std::vector<float> floats;
-  if (picture.has_beauty() && info.float_beauty) {
-    floats = stored_beauty<float>(picture, std::numeric_limits<float>::max(), report.clamped);
-    add_beauty(header, buffer, Imf::FLOAT, floats);
-  } else if (picture.has_beauty()) {
-    halves = stored_beauty<half>(picture, HALF_MAX, report.clamped);
-    add_beauty(header, buffer, Imf::HALF, halves);
+};
+
+bool has_channels_of(const Part& part, const std::string& layer) {
+  const Imf::ChannelList& channels = part.header.channels();
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
+    if (std::string_view(channel.name()).starts_with(layer)) return true;
   }
-  std::vector<std::vector<float>> times;
-  times.reserve(picture.planes().size());
-  for (const Plane& plane : picture.planes()) {
-    const float* values = plane.values.data();
-    if (plane.kind != ChannelKind::plain) {
-      const bool proper = plane.kind == ChannelKind::time_proper;
-      times.push_back(float_times(plane.times, proper ? origins.first : origins.second));
-      values = times.back().data();
+  return false;
+}
+
+// A Cryptomatte's attributes belong where its channels are.
+void drop_other_mattes(Part& part) {
+  constexpr std::string_view all = "cryptomatte/", name = "/name";
+  std::vector<std::string> dropped;
+  for (auto it = part.header.begin(); it != part.header.end(); ++it) {
+    const std::string key = it.name();
+    const auto* layer = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
+    if (!key.starts_with(all) || !key.ends_with(name) || layer == nullptr) continue;
+    if (has_channels_of(part, layer->value())) continue;
+    const std::string group = key.substr(0, key.size() - name.size() + 1);
+    for (auto of = part.header.begin(); of != part.header.end(); ++of) {
+      if (std::string_view(of.name()).starts_with(group)) dropped.emplace_back(of.name());
     }
-    add_channel(header, buffer, plane.name.c_str(), Imf::FLOAT, values, sizeof(float));
   }
-  Imf::OutputFile file(stream, header);
-  file.setFrameBuffer(buffer);
-  file.writePixels(picture.height());
+  for (const std::string& key : dropped) part.header.erase(key);
+}
+
+void add_channel(Part& part, const std::string& name, const StoredChannel& channel) {
+  const Imath::Box2i& window = part.header.dataWindow();
+  const auto columns = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  part.header.channels().insert(name, Imf::Channel(channel.type));
+  part.buffer.insert(name, Imf::Slice::Make(channel.type, channel.pixels, window, channel.stride,
+                                            channel.stride * columns));
+}
+
+struct FileContent {
+  const StoredPicture& stored;
+  const PictureInfo& info;
+  PixelWindow window;
+
+  bool has(bool light) const {
+    return std::any_of(stored.channels().begin(), stored.channels().end(),
+                       [&](const StoredChannel& c) { return is_light(c.layer) == light; });
+  }
+};
+
+// All channels; of several views, by names that tell them apart.
+Part whole_part(const FileContent& content, Compression compression) {
+  const auto& [stored, info, window] = content;
+  const bool several = !info.views.empty();
+  const CameraPose& pose = several ? info.views[0].pose : info.pose;
+  Part part{exr_header(window, info, pose, stored.time_origins()), {}};
+  set_compression(part.header, compression, info.compression_level);
+  if (several) add_views(part.header, window, info);
+  for (const StoredChannel& channel : stored.channels()) {
+    const int view = static_cast<int>(channel.view);
+    add_channel(part,
+                several ? Imf::insertViewName(channel.name, Imf::multiView(part.header), view)
+                        : channel.name,
+                channel);
+  }
+  return part;
+}
+
+// The channels of one view that are light, or that are data.
+Part partial_part(const FileContent& content, bool light, std::size_t view) {
+  const auto& [stored, info, window] = content;
+  const bool several = !info.views.empty();
+  const CameraPose& pose = several ? info.views[view].pose : info.pose;
+  Part part{exr_header(window, info, pose, stored.time_origins()), {}};
+  set_compression(part.header, light ? info.compression : Compression::zip, info.compression_level);
+  const std::string name = light ? "light" : "data";
+  part.header.setType(Imf::SCANLINEIMAGE);
+  part.header.setName(several ? info.views[view].name + "." + name : name);
+  if (several) part.header.setView(info.views[view].name);
+  for (const StoredChannel& channel : stored.channels()) {
+    if (channel.view != view || is_light(channel.layer) != light) continue;
+    add_channel(part, channel.name, channel);
+  }
+  return part;
+}
+
+std::vector<Part> parts_of(const FileContent& content) {
+  const bool lossy = loses_precision(content.info.compression);
+  if (lossy && !content.has(true)) return {whole_part(content, Compression::zip)};
+  if (!lossy || !content.has(false)) return {whole_part(content, content.info.compression)};
+  std::vector<Part> parts;
+  for (const bool light : {true, false}) {
+    for (std::size_t view = 0; view < std::max<std::size_t>(content.info.views.size(), 1); ++view) {
+      parts.push_back(partial_part(content, light, view));
+    }
+  }
+  return parts;
+}
+
+void encode(const FileContent& content, MemoryStream& stream) {
+  std::vector<Part> parts = parts_of(content);
+  std::for_each(parts.begin(), parts.end(), drop_other_mattes);
+  if (parts.size() == 1) {
+    Imf::OutputFile file(stream, parts[0].header);
+    file.setFrameBuffer(parts[0].buffer);
+    file.writePixels(content.window.height);
+    return;
+  }
+  std::vector<Imf::Header> headers;
+  headers.reserve(parts.size());
+  for (const Part& part : parts) headers.push_back(part.header);
+  const int count = static_cast<int>(parts.size());
+  Imf::MultiPartOutputFile file(stream, headers.data(), count);
+  for (int i = 0; i < count; ++i) {
+    Imf::OutputPart part(file, i);
+    part.setFrameBuffer(parts[static_cast<std::size_t>(i)].buffer);
+    part.writePixels(content.window.height);
+  }
+}
+
+// OpenEXR calls a file complete that knows where all its pixels should be; the last ones must be there,
+// too.
+bool is_complete(Imf::MultiPartInputFile& file) {
+  for (int i = 0; i < file.parts(); ++i) {
+    if (!file.partComplete(i)) return false;
+    Imf::InputPart part(file, i);
+    const char* pixels = nullptr;
+    int size = 0;
+    part.rawPixelData(part.header().dataWindow().max.y, pixels, size);
+  }
+  return true;
 }
 
 }  // namespace
 
-WriteReport write_exr(const std::filesystem::path& path, const Picture& picture,
+WriteReport write_exr(const std::filesystem::path& path, std::span<const Picture> views,
                       const PictureInfo& info) {
   WriteReport report;
   MemoryStream stream;
   try {
-    encode(picture, info, stream, report);
+    const StoredPicture stored(views, info);
+    report = stored.report();
+    encode({stored, info, views.front().window()}, stream);
     MemoryInput input(stream.bytes());
-    if (!Imf::InputFile(input).isComplete()) throw OutputError("the picture is not complete");
+    Imf::MultiPartInputFile file(input);
+    if (!is_complete(file)) throw OutputError("the picture is not complete");
   } catch (const std::exception& error) {
     throw OutputError(path.string() + ": " + error.what());
   }
@@ -173,14 +242,9 @@ std::string exr_text(const std::filesystem::path& path, const std::string& name)
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};
   try {
-    Imf::InputFile file(path.c_str());
-    const auto* text = file.header().findTypedAttribute<Imf::StringAttribute>(name);
-    if (text == nullptr || !file.isComplete()) return {};
-    // OpenEXR calls a file complete that knows where all its pixels should be; the last ones must
-    // be there, too.
-    const char* pixels = nullptr;
-    int size = 0;
-    file.rawPixelData(file.header().dataWindow().max.y, pixels, size);
+    Imf::MultiPartInputFile file(path.c_str());
+    const auto* text = file.header(0).findTypedAttribute<Imf::StringAttribute>(name);
+    if (text == nullptr || !is_complete(file)) return {};
     return text->value();
   } catch (const std::exception&) {
     return {};  // torn or of another kind: to the caller as good as not there

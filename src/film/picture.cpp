@@ -16,11 +16,17 @@ Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const
   for (const StatisticChannel& channel : statistics_) {
     add_plane(channel.exr_name, ChannelKind::plain);
   }
+  for (const LayerInfo& matte : matte_layers(layers)) {
+    mattes_.push_back(*matte.matte);
+    for (std::string& name : matte_channels(matte.scene_name)) {
+      add_plane(std::move(name), ChannelKind::plain);
+    }
+  }
 }
 
-void Picture::add_plane(const char* name, ChannelKind kind) {
+void Picture::add_plane(std::string name, ChannelKind kind) {
   const auto pixels = static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
-  Plane plane{name, kind, {}, {}};
+  Plane plane{std::move(name), kind, {}, {}};
   if (kind == ChannelKind::plain) {
     plane.values.resize(pixels);
   } else {
@@ -52,6 +58,16 @@ void Picture::set_statistics(int x, int y, const SampleStatistics& statistics) {
   Plane* plane = planes_.data() + data_.size();
   for (const StatisticChannel& channel : statistics_) {
     (plane++)->values[index(x, y)] = channel.value(statistics);
+  }
+}
+
+void Picture::set_matte(int x, int y, MatteKind kind, const MatteRanks& ranks) {
+  const auto before = std::find(mattes_.begin(), mattes_.end(), kind) - mattes_.begin();
+  Plane* plane = planes_.data() + data_.size() + statistics_.size() +
+                 2 * ranks.size() * static_cast<std::size_t>(before);
+  for (const MatteRank& rank : ranks) {
+    (plane++)->values[index(x, y)] = rank.id;
+    (plane++)->values[index(x, y)] = rank.coverage;
   }
 }
 

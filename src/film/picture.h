@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "film/aov.h"
+#include "film/cryptomatte.h"
 #include "scene/aligned_vector.h"
 #include "scene/pixel_window.h"
 #include "tracer/sample.h"
@@ -32,6 +33,7 @@ class Picture {
   bool has_beauty() const { return !rgba_.empty(); }
   bool has_data() const { return !data_.empty(); }
   bool has_statistics() const { return !statistics_.empty(); }
+  const std::vector<MatteKind>& mattes() const { return mattes_; }
   const AlignedVector<Vec4f>& rgba() const { return rgba_; }
   const std::vector<Plane>& planes() const { return planes_; }
 
@@ -44,20 +46,22 @@ class Picture {
   void set_radiance(int x, int y, const Vec4f& rgba) { set_radiance_row(x, y, {&rgba, 1}); }
   void set_data(int x, int y, const SurfaceData& data);
   void set_statistics(int x, int y, const SampleStatistics& statistics);
+  void set_matte(int x, int y, MatteKind kind, const MatteRanks& ranks);
 
  private:
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - window_.top) * static_cast<std::size_t>(window_.width) +
            static_cast<std::size_t>(x - window_.left);
   }
-  void add_plane(const char* name, ChannelKind kind);
+  void add_plane(std::string name, ChannelKind kind);
 
   PixelWindow window_;
   DataUnits units_;
   AlignedVector<Vec4f> rgba_;  // premultiplied; empty if the beauty is not asked for
   std::vector<DataChannel> data_;
   std::vector<StatisticChannel> statistics_;
-  std::vector<Plane> planes_;  // of the data, then of the statistics
+  std::vector<MatteKind> mattes_;
+  std::vector<Plane> planes_;  // of the data, then of the statistics, then of the mattes
 };
 
 }  // namespace restframe

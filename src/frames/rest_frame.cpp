@@ -102,6 +102,7 @@ RestFrame::RestFrame(const EmbreeDevice& device, const Scene& scene, std::span<c
     for (const PlacedMesh& placed : object.parts) {
       FramePart part;
       part.object = index;
+      part.name = placed.name;
       part.mesh = placed.mesh;
       part.triangles = scene.meshes[static_cast<std::size_t>(placed.mesh)].triangles;
       part.corner_normals = meshes[static_cast<std::size_t>(placed.mesh)].corner_normals;

@@ -25,6 +25,7 @@ namespace restframe {
 // A mesh placed in a rest frame.
 struct FramePart {
   int object = 0;
+  int name = -1;  // of PlacedMesh
   int mesh = 0;
   Mat4 rest_from_mesh{1};
   glm::mat3 rest_from_mesh_normal{1};  // inverse transpose; any length

@@ -76,9 +76,17 @@ WaveVector<in::World> sight_of(const View& view, const Event<in::World>& observe
   return sight_of(AimPoint{glm::mix(begin, end, view.fraction)}, observer);
 }
 
-}  // namespace
+// A point at the distance c ahead of the middle is half the separation to the left of the right eye:
+// there it is seen at the tangent -separation / (2 c), which is where the film's middle belongs.
+void move_to(Eye eye, const StereoSettings& stereo, CameraPose& pose) {
+  if (eye == Eye::centre) return;
+  const double to_right = (eye == Eye::right ? 0.5 : -0.5) * stereo.separation;
+  pose.event =
+      pose.event + pose.world_from_camera(Displacement<in::Camera>{0, to_right * pose.axes[0]});
+  if (stereo.convergence > 0.0) pose.film_shift = -to_right / stereo.convergence;
+}
 
-CameraPose pose_at(const Camera& camera, double proper_time) {
+CameraPose centre_pose(const Camera& camera, double proper_time) {
   const CameraState state = state_at(camera.motion, proper_time);
   const View view = view_at(camera, proper_time);
   const Boost<in::Camera, in::World> camera_from_world(state.velocity);
@@ -98,6 +106,19 @@ CameraPose pose_at(const Camera& camera, double proper_time) {
   return pose;
 }
 
+}  // namespace
+
+std::vector<Eye> eyes_of(const Camera& camera) {
+  if (camera.stereo) return {Eye::left, Eye::right};
+  return {Eye::centre};
+}
+
+CameraPose pose_at(const Camera& camera, double proper_time, Eye eye) {
+  CameraPose pose = centre_pose(camera, proper_time);
+  if (camera.stereo) move_to(eye, *camera.stereo, pose);
+  return pose;
+}
+
 bool is_steady(const Camera& camera) {
   const auto* uniform = std::get_if<Worldline>(&camera.motion);
   if (!uniform || !camera.view_keys.empty()) return false;
@@ -111,7 +132,8 @@ Projection::Projection(const CameraPose& pose, double vertical_fov, int width, i
   const double half_width = half_height * width / height;
   step_x_ = pose.axes[0] * (2.0 * half_width / width);
   step_y_ = pose.axes[1] * (-2.0 * half_height / height);
-  corner_ = -pose.axes[2] - half_width * pose.axes[0] + half_height * pose.axes[1];
+  corner_ =
+      -pose.axes[2] + (pose.film_shift - half_width) * pose.axes[0] + half_height * pose.axes[1];
 }
 
 }  // namespace restframe

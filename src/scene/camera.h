@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +34,16 @@ struct ViewKey {
   double vertical_fov = 1;  // radians
 };
 
+// Two pinholes or lenses side by side, at rest in the camera's frame: their exposures begin at the same
+// time there. They look the same way; their films are shifted, so that what is at the distance of
+// convergence along the view falls on the same place of both.
+struct StereoSettings {
+  double separation = 0;   // of the eyes, light-seconds
+  double convergence = 0;  // light-seconds; 0: at infinity, no shift
+};
+
+enum class Eye : std::uint8_t { centre, left, right };
+
 // A perspective camera. In uniform motion, its clock shows 0 at the worldline's reference.
 struct Camera {
   CameraMotion motion;
@@ -45,7 +57,11 @@ struct Camera {
   double aperture = 0;      // radius of the lens, light-seconds; 0: a pinhole
   double focus = 1;         // distance of the plane that is sharp, light-seconds, camera's frame
   double rolling = 0;       // seconds of the camera's time from the top row to the bottom one
+  std::optional<StereoSettings> stereo;
 };
+
+// Those whose pictures are taken, the first one's being the one that stands for all.
+std::vector<Eye> eyes_of(const Camera& camera);
 
 // The camera at one moment of its clock: an event, and axes in its rest frame.
 struct CameraPose {
@@ -53,11 +69,13 @@ struct CameraPose {
   Boost<in::World, in::Camera> world_from_camera;
   Mat3 axes{1};             // columns: right, up, backwards, in the camera's rest frame
   double vertical_fov = 1;  // radians
+  // Where the middle of the film is, to the right of where the camera looks; at the distance 1.
+  double film_shift = 0;
 };
 
-// Exact for any time. Throws InputError where the aim leaves the orientation open: the camera is at its look_at point,
+// Exact for any time. The centre's stands between the eyes. Throws InputError where the aim leaves the orientation open: the camera is at its look_at point,
 // or it looks along `up`.
-CameraPose pose_at(const Camera& camera, double proper_time);
+CameraPose pose_at(const Camera& camera, double proper_time, Eye eye = Eye::centre);
 
 // Whether velocity, axes and field of view are the same at all times: only the event moves.
 bool is_steady(const Camera& camera);

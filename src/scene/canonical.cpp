@@ -4,6 +4,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <span>
 
 #include "scene/canonical_listing.h"
@@ -148,6 +149,26 @@ void add_object(Listing& list, const Object& object, const std::string& key) {
   list.add(key + ".materials", materials);
 }
 
+// What the layers that are asked for call the parts of objects.
+void add_matte_names(Listing& list, const Scene& scene) {
+  const std::vector<Layer>& layers = scene.output.layers;
+  const auto wants = [&](Layer layer) {
+    return std::find(layers.begin(), layers.end(), layer) != layers.end();
+  };
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const std::string key = fmt::format("object.{}", i);
+    if (wants(Layer::crypto_asset) && !object.whole.empty()) list.add(key + ".whole", object.whole);
+    if (!wants(Layer::crypto_object) || object.part_names.empty()) continue;
+    Digest names;
+    for (const std::string& name : object.part_names) {
+      names.add(std::span(name.c_str(), name.size() + 1));
+    }
+    for (const PlacedMesh& part : object.parts) names.add(std::span(&part.name, 1));
+    list.add(key + ".part_names", fmt::format("{} {}", object.part_names.size(), names.hex()));
+  }
+}
+
 // Its name is in no picture; its group names a layer.
 void add_light(Listing& list, const Light& light, const std::string& key) {
   list.add(key + ".kind", static_cast<int>(light.kind));
@@ -189,6 +210,25 @@ void add_exposure(Listing& list, const ExposureSettings& exposure) {
   list.add("exposure.combine", static_cast<int>(exposure.combine));
 }
 
+std::string text_of(const PixelWindow& window) {
+  return fmt::format("{} {} {} {}", window.left, window.top, window.width, window.height);
+}
+
+std::string text_of(const std::vector<Layer>& layers) {
+  std::string text;
+  for (const Layer layer : layers) text += fmt::format("{} ", static_cast<int>(layer));
+  return text;
+}
+
+void add_output(Listing& list, const OutputSettings& output) {
+  list.add("output.layers", text_of(output.layers));
+  list.add("output.half", text_of(output.half_layers));
+  list.add("output.float", text_of(output.float_layers));
+  list.add("output.compression", static_cast<int>(output.compression));
+  list.add("output.compression_level", output.compression_level);
+  list.add("output.split", output.split ? "true" : "false");
+}
+
 }  // namespace
 
 std::string canonical_settings(const Scene& scene) {
@@ -199,6 +239,8 @@ std::string canonical_settings(const Scene& scene) {
   list.add("animation.start", scene.animation.start);
   add_exposure(list, scene.exposure);
   list.add("render.resolution", fmt::format("{} {}", scene.render.width, scene.render.height));
+  list.add("render.overscan", scene.render.overscan);
+  list.add("render.window", text_of(picture_window(scene.render)));
   list.add("render.samples", scene.render.samples);
   list.add("render.noise", scene.render.noise);
   list.add("render.integrator", static_cast<int>(scene.render.integrator));
@@ -209,15 +251,12 @@ std::string canonical_settings(const Scene& scene) {
     list.add("render.observe", fmt::format("{:.17g} {:.17g}", band->from, band->to));
   }
   list.add("render.seed", fmt::format("{}", scene.render.seed));
-  std::string layers;
-  for (const Layer layer : scene.output.layers)
-    layers += fmt::format("{} ", static_cast<int>(layer));
-  list.add("output.layers", layers);
-  list.add("output.compression", static_cast<int>(scene.output.compression));
+  add_output(list, scene.output);
   add_meshes(list, scene.meshes);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     add_object(list, scene.objects[i], fmt::format("object.{}", i));
   }
+  add_matte_names(list, scene);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     add_light(list, scene.lights[i], fmt::format("light.{}", i));
   }

@@ -50,6 +50,10 @@ void add_camera(Listing& list, const Camera& camera) {
   list.add("camera.aperture", camera.aperture);
   list.add("camera.focus", camera.focus);
   list.add("camera.rolling", camera.rolling);
+  if (camera.stereo) {
+    list.add("camera.stereo.separation", camera.stereo->separation);
+    list.add("camera.stereo.convergence", camera.stereo->convergence);
+  }
   if (camera.view_keys.empty()) {
     add_aim(list, "camera", camera.aim);
     list.add("camera.fov", camera.vertical_fov);

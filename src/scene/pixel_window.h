@@ -15,6 +15,11 @@ struct PixelWindow {
   bool operator==(const PixelWindow&) const = default;
 };
 
+inline bool contains(const PixelWindow& window, const PixelWindow& part) {
+  return part.left >= window.left && part.top >= window.top && part.right() <= window.right() &&
+         part.bottom() <= window.bottom();
+}
+
 inline PixelWindow common_part(const PixelWindow& a, const PixelWindow& b) {
   const int left = std::max(a.left, b.left);
   const int top = std::max(a.top, b.top);

@@ -59,28 +59,65 @@ void check_band(const RenderSettings& render, Faults& faults) {
   }
 }
 
+void check_window(const RenderSettings& render, Faults& faults) {
+  check_count(render.width, 1, most_pixels_a_side, "render: width", faults);
+  check_count(render.height, 1, most_pixels_a_side, "render: height", faults);
+  check_count(render.overscan, 0, most_overscan, "render: overscan", faults);
+  if (!render.crop) return;
+  const PixelWindow& crop = *render.crop;
+  if (crop.width > 0 && crop.height > 0 && contains(whole_window(render), crop)) return;
+  faults.push_back(fmt::format(
+      "render: crop [{}, {}, {}, {}] must hold a pixel, and lie within resolution and overscan",
+      crop.left, crop.top, crop.width, crop.height));
+}
+
+void check_pixel_types(const OutputSettings& output, Faults& faults) {
+  for (const std::vector<Layer>* layers : {&output.half_layers, &output.float_layers}) {
+    for (const Layer layer : *layers) {
+      if (has_layer(output.layers, layer)) continue;
+      faults.emplace_back("output: half and float must name layers that are among `layers`");
+      return;
+    }
+  }
+  for (const Layer layer : output.half_layers) {
+    if (needs_float(layer)) {
+      faults.emplace_back("output: half can not hold the layers \"time\", \"id\" and Cryptomattes");
+    }
+    if (has_layer(output.float_layers, layer)) {
+      faults.emplace_back("output: a layer can not be both half and float");
+    }
+  }
+}
+
+void check_output(const Scene& scene, Faults& faults) {
+  const OutputSettings& output = scene.output;
+  if (!(std::abs(output.exposure) <= most_stops)) {
+    faults.push_back(fmt::format("output: exposure is {}, must be from {} to {}", output.exposure,
+                                 -most_stops, most_stops));
+  }
+  const auto fault = output_pattern_fault(output.path, scene.animation.pictures);
+  if (fault) faults.push_back("output: " + *fault);
+  const std::set<Layer> layers(output.layers.begin(), output.layers.end());
+  if (layers.empty()) faults.push_back("output: layers must have at least one");
+  if (layers.size() < output.layers.size()) faults.push_back("output: layers must not repeat");
+  if (!(output.compression_level >= 0 && output.compression_level <= most_compression_level)) {
+    faults.push_back(fmt::format("output: compression_level is {}, must be from 0 to {}",
+                                 output.compression_level, most_compression_level));
+  }
+  check_pixel_types(output, faults);
+}
+
 void check_settings(const Scene& scene, Faults& faults) {
   check_positive(scene.light_speed, "light_speed", faults);
   check_positive(scene.animation.rate, "animation: rate", faults);
   if (!std::isfinite(scene.animation.start)) faults.push_back("animation: start must be finite");
   check_count(scene.animation.pictures, 1, 1'000'000, "animation: pictures", faults);
-  check_count(scene.render.width, 1, 32'768, "render: width", faults);
-  check_count(scene.render.height, 1, 32'768, "render: height", faults);
+  check_window(scene.render, faults);
   check_count(scene.render.samples, 1, 65'536, "render: samples", faults);
   check_count(scene.render.depth, 1, 64, "render: depth", faults);
   check_noise(scene, faults);
-  if (!(std::abs(scene.output.exposure) <= most_stops)) {
-    faults.push_back(fmt::format("output: exposure is {}, must be from {} to {}",
-                                 scene.output.exposure, -most_stops, most_stops));
-  }
   check_band(scene.render, faults);
-  const auto fault = output_pattern_fault(scene.output.path, scene.animation.pictures);
-  if (fault) faults.push_back("output: " + *fault);
-  const std::set<Layer> layers(scene.output.layers.begin(), scene.output.layers.end());
-  if (layers.empty()) faults.push_back("output: layers must have at least one");
-  if (layers.size() < scene.output.layers.size()) {
-    faults.push_back("output: layers must not repeat");
-  }
+  check_output(scene, faults);
 }
 
 bool is_usable(const Mat4& matrix) {
@@ -110,6 +147,10 @@ void check_parts(const Scene& scene, const Object& object, const std::string& na
       faults.push_back(
           fmt::format("{} refers to mesh {} of {}", name, part.mesh, scene.meshes.size()));
       continue;
+    }
+    if (part.name < -1 || part.name >= static_cast<int>(object.part_names.size())) {
+      faults.push_back(
+          fmt::format("{}: a part has name {} of {}", name, part.name, object.part_names.size()));
     }
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(part.mesh)];
     if (checked.insert(part.mesh).second) check_slots(object, mesh, name, faults);

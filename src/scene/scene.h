@@ -22,6 +22,7 @@ namespace restframe {
 struct PlacedMesh {
   int mesh = 0;
   Mat4 object_from_mesh{1};  // affine; the mesh's units to light-seconds; may mirror
+  int name = -1;             // index into the object's part_names; -1: the object's own
 };
 
 // One clock, one velocity. Its worldline is that of its origin; the reference event is its
@@ -32,6 +33,9 @@ struct Object {
   double clock = 0;          // what its clock shows at the reference event ...
   bool frame_clock = false;  // ... or: the rest frame's own time, zero at the world's origin event
   std::vector<PlacedMesh> parts;
+  // For mattes: what the parts are called, and what the object is a moving part of; empty: itself.
+  std::vector<std::string> part_names;
+  std::string whole;
   std::vector<int> materials;  // material index of each slot that the parts' meshes use
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "physics/observer.h"
+#include "scene/pixel_window.h"
 
 namespace restframe {
 
@@ -51,7 +53,10 @@ enum class IntegratorKind : std::uint8_t {
 };
 
 struct RenderSettings {
-  int width = 1280, height = 720;
+  int width = 1280, height = 720;  // of the display: what the field of view fills
+  int overscan = 0;                // pixels around the display that are rendered, too
+  // Only these pixels; of the display and what is around it.
+  std::optional<PixelWindow> crop;
   int samples = 16;  // a pixel, for each exposure; the most, if noise is above 0
   // The relative standard error of pixels' luminance at which a block of them is done (see
   // Replicates::noise); 0: never.
@@ -65,6 +70,23 @@ struct RenderSettings {
   std::uint64_t seed = 0;
 };
 
+inline constexpr int most_pixels_a_side = 32'768, most_overscan = 4'096;
+
+inline PixelWindow display_window(const RenderSettings& render) {
+  return {0, 0, render.width, render.height};
+}
+
+// The display and what is around it. Which part of it is rendered changes no pixel.
+inline PixelWindow whole_window(const RenderSettings& render) {
+  const int around = render.overscan;
+  return {-around, -around, render.width + 2 * around, render.height + 2 * around};
+}
+
+// What pictures hold.
+inline PixelWindow picture_window(const RenderSettings& render) {
+  return render.crop.value_or(whole_window(render));
+}
+
 // Layers of an EXR by the names of the scene file (design, section 7).
 enum class Layer : std::uint8_t {
   beauty,
@@ -76,20 +98,46 @@ enum class Layer : std::uint8_t {
   uv,
   id,
   variance,
-  samples
+  samples,
+  depth,
+  apparent_normal,
+  crypto_object,
+  crypto_material,
+  crypto_asset
 };
 
-enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab };
+enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab, b44, b44a };
+
+inline constexpr double most_compression_level =
+    10'000;  // of DWAA and DWAB; OpenEXR's default is 45
+
+inline bool is_matte(Layer layer) {
+  return layer == Layer::crypto_object || layer == Layer::crypto_material ||
+         layer == Layer::crypto_asset;
+}
+
+// Half would lose what these layers are for.
+inline bool needs_float(Layer layer) {
+  return layer == Layer::time || layer == Layer::id || is_matte(layer);
+}
 
 // How a preview shows linear light: as it is up to white, or along a film's curve.
 enum class ViewTransform : std::uint8_t { srgb, filmic };
 
 inline constexpr double most_stops = 64;  // of exposure, either way
 
+inline bool has_layer(const std::vector<Layer>& layers, Layer layer) {
+  return std::find(layers.begin(), layers.end(), layer) != layers.end();
+}
+
 struct OutputSettings {
   std::string path = "out/picture.####.exr";  // # stand for digits of the picture number
   std::vector<Layer> layers = {Layer::beauty, Layer::z};
   Compression compression = Compression::zip;
+  double compression_level = 45;  // of DWAA and DWAB: 0 loses least
+  // Layers that are stored in 16 and in 32 bits; the others as is usual for them.
+  std::vector<Layer> half_layers, float_layers;
+  bool split = false;   // a file for each layer
   bool preview = true;  // a PNG beside each EXR
   double exposure = 0;  // of the preview: stops by which it is brightened
   ViewTransform view = ViewTransform::srgb;

@@ -58,6 +58,9 @@ void validate_lens(const Camera& camera, Faults& faults) {
     faults.push_back(
         fmt::format("camera: focus is {}, must be above 0 and at most 1e100", camera.focus));
   }
+  if (!camera.stereo) return;
+  check_length(camera.stereo->separation, "camera: stereo: separation", faults);
+  check_length(camera.stereo->convergence, "camera: stereo: convergence", faults);
 }
 
 }  // namespace restframe

@@ -36,8 +36,10 @@ inline CameraRay lens_ray(const CameraPose& pose, const Projection& projection, 
 
 }  // namespace
 
-ExposedCamera::ExposedCamera(const Scene& scene, const CameraSampler& sampler, double opening)
+ExposedCamera::ExposedCamera(const Scene& scene, const CameraSampler& sampler, double opening,
+                             Eye eye)
     : scene_(scene),
+      eye_(eye),
       is_pinhole_(!sampler.has_lens()),
       is_instant_(sampler.is_instant()),
       is_steady_(is_instant_ || is_steady(scene.camera)),
@@ -48,7 +50,7 @@ ExposedCamera::ExposedCamera(const Scene& scene, const CameraSampler& sampler, d
 }
 
 ExposedCamera::Moment ExposedCamera::moment_at(double time) const {
-  const CameraPose pose = pose_at(scene_.camera, time);
+  const CameraPose pose = pose_at(scene_.camera, time, eye_);
   return {time, pose,
           Projection(pose, pose.vertical_fov, scene_.render.width, scene_.render.height)};
 }
@@ -66,6 +68,13 @@ RESTFRAME_CLONES void ExposedCamera::rays(int exposure, const CameraSample& samp
   if (pixels_a_ray_ > 0.0) {
     set_spread(opening.projection, pixels_a_ray_, sample.film_x, sample.film_y, rays);
   }
+}
+
+CameraSight ExposedCamera::sight(int exposure, const CameraSample& sample, int lane) const {
+  const Moment& opening = openings_[static_cast<std::size_t>(exposure)];
+  const Moment moment =
+      is_instant_ ? opening : moment_at(opening.time + sample.after_opening[lane]);
+  return {moment.pose, moment.projection.direction(sample.film_x[lane], sample.film_y[lane])};
 }
 
 // One boost and one projection for all lanes: only the event moves.

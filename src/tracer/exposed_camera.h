@@ -8,6 +8,12 @@
 
 namespace restframe {
 
+// A ray as the camera has it.
+struct CameraSight {
+  CameraPose pose;  // as it begins
+  Vec3 direction;   // unit, in the camera's rest frame
+};
+
 // The camera during the exposures of one picture: from samples to rays.
 //
 // A ray begins at its own moment of the camera's time, on the lens at rest in the camera's frame:
@@ -16,10 +22,14 @@ namespace restframe {
 class ExposedCamera {
  public:
   // opening: the camera's time at which the first exposure opens. Throws as pose_at.
-  ExposedCamera(const Scene& scene, const CameraSampler& sampler, double opening);
+  ExposedCamera(const Scene& scene, const CameraSampler& sampler, double opening,
+                Eye eye = Eye::centre);
 
   // Origins, wave vectors and s_min of the rays of one sample of an exposure. Throws as pose_at.
   void rays(int exposure, const CameraSample& sample, RayPacket& rays) const;
+
+  // Of the ray of `lane` through the middle of the lens.
+  CameraSight sight(int exposure, const CameraSample& sample, int lane) const;
 
  private:
   struct Moment {
@@ -32,6 +42,7 @@ class ExposedCamera {
   void changing_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
 
   const Scene& scene_;
+  Eye eye_;
   bool is_pinhole_, is_instant_, is_steady_;
   double pixels_a_ray_ = 0;       // on the film, the side of what each stands for; 0: nobody asks
   std::vector<Moment> openings_;  // of each exposure

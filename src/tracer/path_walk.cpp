@@ -1,6 +1,7 @@
 #include "tracer/path_walk.h"
 
 #include "frames/lane_groups.h"
+#include "tracer/cover_counts.h"
 #include "tracer/shading_normal.h"
 
 namespace restframe {
@@ -27,7 +28,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   }
   if (stage.spectra.shifts) choose_wavelengths(id);
   chosen_.density.fill(0.0F);
-  if (layers_.data != nullptr) layers_.data->fill({});
+  for (int i = 0; layers_.data != nullptr && i < packet_size; ++i) (*layers_.data)[i].hit = false;
 }
 
 void PathWalk::run() {
@@ -97,12 +98,21 @@ void PathWalk::stop_or_pass() {
       if (group[lane] != 0) stop_or_pass(lane);
     }
   });
+  if (layers_.covers != nullptr) count_covers();
   if (layers_.data == nullptr) return;
   for (int lane = 0; lane < packet_size; ++lane) {
     if (met_[lane] != 0 && !(*layers_.data)[lane].hit && paths_.scatterings[lane] == 0) {
       const ObjectPlace& place = stage_.places[static_cast<std::size_t>(surfaces_.object[lane])];
       (*layers_.data)[lane] = surface_data(met_surface(lane), place, rays_);
     }
+  }
+}
+
+// What stops a path first covers all that the sample stands for.
+void PathWalk::count_covers() const {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (met_[lane] == 0 || paths_.coverage[lane] != 0.0F) continue;
+    count_cover(stage_.frames, hits_, surfaces_, lane, 1.0F, *layers_.covers);
   }
 }
 

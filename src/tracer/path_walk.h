@@ -128,6 +128,7 @@ class PathWalk {
   void receive_from_sky(const Environment& sky, int lane, const Vec3f& color);
   void stop_or_pass();
   void stop_or_pass(int lane);
+  void count_covers() const;
   void stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_t>& group);
   void pass(int lane);
   float cone_width(int lane) const {

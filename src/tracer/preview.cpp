@@ -1,6 +1,7 @@
 #include "tracer/preview.h"
 
 #include "physics/clones.h"
+#include "tracer/cover_counts.h"
 #include "tracer/footprint.h"
 #include "tracer/shading_normal.h"
 
@@ -10,6 +11,15 @@ namespace {
 // Below this much light from behind, what lies behind is left out.
 constexpr float least_transmittance = 1e-4F;
 constexpr std::uint32_t most_layers = 1000;
+
+// Of surfaces that cover all that lies behind.
+void count_covers(const FrameSet& frames, const RayPacket& rays, const HitPacket& hits,
+                  const SurfaceLanes& surfaces, CoverCounts& covers) {
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (rays.active[lane] == 0 || hits.frame[lane] < 0) continue;
+    count_cover(frames, hits, surfaces, lane, 1.0F, covers);
+  }
+}
 
 }  // namespace
 
@@ -142,7 +152,7 @@ SurfaceData Preview::data_of(const Met& met) const {
 void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
                     RadianceLanes& radiance, const SampleLayers& layers) const {
   SurfaceDataLanes* const data = layers.data;
-  if (data != nullptr) data->fill({});
+  for (int lane = 0; data != nullptr && lane < packet_size; ++lane) (*data)[lane].hit = false;
   HitPacket hits;
   SurfaceLanes surfaces;
   bool passing = true;
@@ -150,7 +160,10 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
     frames_.nearest(rays, hits);
     surfaces_at(scene_, frames_, hits, rays.active, surfaces);
     if (layer == 0) {
-      if (data == nullptr && shade_simple(rays, hits, surfaces, radiance)) return;
+      if (data == nullptr && shade_simple(rays, hits, surfaces, radiance)) {
+        if (layers.covers != nullptr) count_covers(frames_, rays, hits, surfaces, *layers.covers);
+        return;
+      }
       radiance.fill(Vec4f(0));
     }
     passing = false;
@@ -160,6 +173,7 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
       if (hits.frame[lane] < 0) continue;
       const Met met{rays, surfaces, hits, lane};
       const Vec4f shaded = shade(met, evaluator);
+      const float covered = radiance[lane].w;
       radiance[lane] += (1.0F - radiance[lane].w) * shaded;  // behind what is in front
       if (data != nullptr && !(*data)[lane].hit &&
           random_unit(id, lane, Dimension::opacity, layer) < shaded.w) {
@@ -172,6 +186,8 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
         rays.active[lane] = -1;
         passing = true;
       }
+      if (layers.covers == nullptr) continue;
+      count_cover(frames_, hits, surfaces, lane, radiance[lane].w - covered, *layers.covers);
     }
   }
 }

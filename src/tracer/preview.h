@@ -17,7 +17,7 @@ class Preview {
   Preview(const Scene& scene, const FrameSet& frames);
 
   // `evaluator` belongs to the calling thread. `layers.data`, if wanted, gets the first surface that a stochastic
-  // opacity test keeps.
+  // opacity test keeps; `layers.covers` all that alpha is made of.
   void trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& evaluator,
              RadianceLanes& radiance, const SampleLayers& layers) const;
 

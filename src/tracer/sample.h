@@ -24,12 +24,18 @@ struct SurfaceData {
   Vec3 position{0};  // rest frame, relative to the object's origin
   Vec3 normal{0};
   Vec2f uv{0};
+  // As the camera sees it (apparent_surface.h), if anyone asks.
+  double depth = 0;         // distance along the view
+  Vec3 apparent_normal{0};  // in the camera's axes: right, up, backwards
 };
 using SurfaceDataLanes = Lanes<SurfaceData>;
+
+class CoverCounts;
 
 // What is wanted of 16 samples besides their light; null: not wanted.
 struct SampleLayers {
   SurfaceDataLanes* data = nullptr;
+  CoverCounts* covers = nullptr;  // to be added to
 };
 
 }  // namespace restframe

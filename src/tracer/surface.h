@@ -2,6 +2,7 @@
 
 #include "frames/frame_set.h"
 #include "scene/scene.h"
+#include "tracer/cover_counts.h"
 
 namespace restframe {
 
@@ -20,6 +21,13 @@ struct SurfaceLanes {
 // For the active lanes that hit something.
 void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
                  const Lanes<std::int32_t>& active, SurfaceLanes& surfaces);
+
+// One lane of what was met covers `weight` of its sample.
+inline void count_cover(const FrameSet& frames, const HitPacket& hits, const SurfaceLanes& surfaces,
+                        int lane, float weight, CoverCounts& covers) {
+  const FramePart& part = frames.frame(hits.frame[lane]).part(hits.part[lane]);
+  covers.add(lane, part.object, part.name, surfaces.material[lane], weight);
+}
 
 // Texture coordinates of a hit; 0 where the mesh has none.
 Vec2f uv_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits, int lane, int set);

@@ -86,7 +86,7 @@ void animation(benchmark::State& state) {
   const PictureInfo common = common_info(animation_scene());
   render_all(state,
              [&](const Scene& scene, int number, const Picture& picture, PictureWriter& writer) {
-               writer.write(picture_path(scene.output.path, number, false), picture,
+               writer.write(picture_files(scene, number, false), {&picture, 1},
                             picture_info(common, scene, number));
              });
 }

@@ -7,12 +7,14 @@
 #include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
 #include <ImfIntAttribute.h>
 #include <ImfMatrixAttribute.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfRationalAttribute.h>
 #include <ImfStringAttribute.h>
 #include <ImfStringVectorAttribute.h>
+#include <ImfTimeCodeAttribute.h>
 #include <ImfVecAttribute.h>
 #include <fmt/format.h>
 
@@ -41,6 +43,9 @@ std::string text_of(double value) {
 }
 std::string text_of(const Imf::Rational& r) {
   return fmt::format("{}/{}", r.n, r.d);
+}
+std::string text_of(const Imf::TimeCode& t) {
+  return fmt::format("{:02}:{:02}:{:02}:{:02}", t.hours(), t.minutes(), t.seconds(), t.frame());
 }
 std::string text_of(const Imath::Box2i& b) {
   return fmt::format("{} {} {} {}", b.min.x, b.min.y, b.max.x, b.max.y);
@@ -84,11 +89,11 @@ std::string description(const Imf::Attribute& attribute) {
 std::string text_of_attribute(const Imf::Attribute& attribute) {
   return description<std::string, int, float, double, Imf::Rational, Imath::Box2i, Imath::V2i,
                      Imath::V2f, Imath::V2d, Imath::V3i, Imath::V3f, Imath::V3d, Imath::M44f,
-                     Imath::M44d, Imf::StringVector, Imf::Compression>(attribute);
+                     Imath::M44d, Imf::StringVector, Imf::Compression, Imf::TimeCode>(attribute);
 }
 
 // OpenEXR wants the address that the pixel (0, 0) would have, which may lie outside the data.
-void read_channels(Imf::InputFile& file, const Imath::Box2i& window, ExrPicture& picture) {
+void read_channels(Imf::InputPart& file, const Imath::Box2i& window, ExrPicture& picture) {
   const std::size_t pixels =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   const std::size_t row = sizeof(float) * static_cast<std::size_t>(picture.width);
@@ -97,6 +102,10 @@ void read_channels(Imf::InputFile& file, const Imath::Box2i& window, ExrPicture&
   for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
     std::vector<float>& values = picture.channels[channel.name()];
     values.resize(pixels);
+    const Imf::PixelType type = channel.channel().type;
+    picture.types[channel.name()] = type == Imf::HALF    ? "half"
+                                    : type == Imf::FLOAT ? "float"
+                                                         : "integer";
     buffer.insert(channel.name(),
                   Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float), row));
   }
@@ -121,18 +130,28 @@ float ExrPicture::at(const std::string& name, int x, int y) const {
 }
 
 ExrPicture read_exr(const std::filesystem::path& path) {
+  std::vector<ExrPicture> parts = read_exr_parts(path);
+  if (parts.size() == 1) return std::move(parts[0]);
+  throw std::runtime_error(fmt::format("{}: has {} parts", path.string(), parts.size()));
+}
+
+std::vector<ExrPicture> read_exr_parts(const std::filesystem::path& path) {
   try {
-    Imf::InputFile file(path.c_str());
-    if (!file.isComplete()) throw std::runtime_error("incomplete");
-    const Imath::Box2i window = file.header().dataWindow();
-    ExrPicture picture;
-    picture.width = window.max.x - window.min.x + 1;
-    picture.height = window.max.y - window.min.y + 1;
-    for (auto entry = file.header().begin(); entry != file.header().end(); ++entry) {
-      picture.attributes[entry.name()] = text_of_attribute(entry.attribute());
+    Imf::MultiPartInputFile file(path.c_str());
+    std::vector<ExrPicture> parts;
+    for (int i = 0; i < file.parts(); ++i) {
+      if (!file.partComplete(i)) throw std::runtime_error("incomplete");
+      Imf::InputPart part(file, i);
+      const Imath::Box2i window = part.header().dataWindow();
+      ExrPicture& picture = parts.emplace_back();
+      picture.width = window.max.x - window.min.x + 1;
+      picture.height = window.max.y - window.min.y + 1;
+      for (auto entry = part.header().begin(); entry != part.header().end(); ++entry) {
+        picture.attributes[entry.name()] = text_of_attribute(entry.attribute());
+      }
+      read_channels(part, window, picture);
     }
-    read_channels(file, window, picture);
-    return picture;
+    return parts;
   } catch (const std::exception& error) {
     throw std::runtime_error(path.string() + ": " + error.what());
   }

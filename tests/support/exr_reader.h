@@ -11,6 +11,7 @@ namespace restframe {
 struct ExrPicture {
   int width = 0, height = 0;                           // of the data window
   std::map<std::string, std::vector<float>> channels;  // rows from the top, left to right
+  std::map<std::string, std::string> types;            // of the channels: "half", "float"
   // Header attributes as text: numbers in their shortest exact form, vectors and matrices as
   // numbers between spaces, lists of strings a line each, compression by its name (as in the scene
   // file). Attributes of other types read "(TYPE)".
@@ -21,8 +22,11 @@ struct ExrPicture {
   float at(const std::string& name, int x, int y) const;
 };
 
-// Half and integer channels are converted. Throws std::runtime_error if the file cannot be read or
-// lacks parts of the picture.
+// Half and integer channels are converted. Throws std::runtime_error if the file cannot be read,
+// lacks parts of the picture, or has several parts.
 ExrPicture read_exr(const std::filesystem::path& file);
+
+// Likewise, of a file of any number of parts.
+std::vector<ExrPicture> read_exr_parts(const std::filesystem::path& file);
 
 }  // namespace restframe
