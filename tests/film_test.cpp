@@ -91,10 +91,10 @@ TEST(Layers, TheTableHasEachOnce) {
   EXPECT_EQ(
       channels,
       (std::set<std::string>{
-          "Z",           "time_proper.V", "time_world.V", "doppler.D",  "N.X",        "N.Y",
-          "N.Z",         "P.X",           "P.Y",          "P.Z",        "UV.U",       "UV.V",
-          "id_object.V", "id_material.V", "variance.R",   "variance.G", "variance.B", "samples.V",
-          "depth.Z",     "normal.X",      "normal.Y",     "normal.Z"}));
+          "Z",         "time_proper.V", "time_world.V",  "doppler.D",  "N.X",        "N.Y",
+          "N.Z",       "P.X",           "P.Y",           "P.Z",        "UV.U",       "UV.V",
+          "UV.A",      "id_object.V",   "id_material.V", "variance.R", "variance.G", "variance.B",
+          "samples.V", "depth.Z",       "normal.X",      "normal.Y",   "normal.Z"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
