@@ -88,8 +88,14 @@ TEST(Canonical, ChangesWithTheCamera) {
       {"focus", [](Scene& s) { s.camera.focus = 0.1; }},
       {"rolling", [](Scene& s) { s.camera.rolling = 0.1; }},
       {"two eyes", [](Scene& s) { s.camera.stereo.emplace(); }},
-      {"separation", [](Scene& s) { s.camera.stereo = StereoSettings{0.1, 0}; }},
-      {"convergence", [](Scene& s) { s.camera.stereo = StereoSettings{0.1, 1}; }},
+      {"separation",
+       [](Scene& s) {
+         s.camera.stereo = StereoSettings{0.1, 0};
+       }},
+      {"convergence",
+       [](Scene& s) {
+         s.camera.stereo = StereoSettings{0.1, 1};
+       }},
   });
 }
 
@@ -213,8 +219,14 @@ TEST(Canonical, ChangesWithSettings) {
       {"float", [](Scene& s) { s.output.float_layers = {Layer::z}; }},
       {"split", [](Scene& s) { s.output.split = true; }},
       {"overscan", [](Scene& s) { s.render.overscan = 1; }},
-      {"crop", [](Scene& s) { s.render.crop = PixelWindow{0, 0, 2, 2}; }},
-      {"another crop", [](Scene& s) { s.render.crop = PixelWindow{1, 0, 2, 2}; }},
+      {"crop",
+       [](Scene& s) {
+         s.render.crop = PixelWindow{0, 0, 2, 2};
+       }},
+      {"another crop",
+       [](Scene& s) {
+         s.render.crop = PixelWindow{1, 0, 2, 2};
+       }},
   });
 }
 

@@ -1,4 +1,6 @@
-# Installs the build, then configures, builds and runs a project that uses it.
+# A project that uses an installed restframe: it is configured, built and run. PREFIX is where restframe
+# is installed; else the build is installed into a folder of its own first.
+cmake_minimum_required(VERSION 3.25)
 set(work ${BUILD_DIR}/consumer)
 file(REMOVE_RECURSE ${work})
 
@@ -6,8 +8,59 @@ function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}/prefix)
+if(NOT PREFIX)
+  set(PREFIX ${work}/prefix)
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${PREFIX})
+endif()
+
+run(${PREFIX}/bin/restframe --version)
+
+# Whatever an installed header includes is installed.
+set(include ${PREFIX}/include/restframe)
+file(GLOB headers RELATIVE ${include} ${include}/*/*.h)
+if(NOT "app/render_picture.h" IN_LIST headers)
+  message(FATAL_ERROR "no headers in ${include}")
+endif()
+foreach(header IN LISTS headers)
+  file(STRINGS ${include}/${header} lines REGEX "^#include \"")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include \"(.*)\"" "\\1" included "${line}")
+    if(NOT EXISTS ${include}/${included})
+      message(SEND_ERROR "${header} includes ${included}, which is not installed")
+    endif()
+  endforeach()
+endforeach()
+
+# Before 1.0, versions of one minor number go together (see src/package/changelog.md).
+file(GLOB_RECURSE version_file ${PREFIX}/lib*/restframe-config-version.cmake)
+function(check_version wanted expected)
+  string(REGEX MATCHALL "[0-9]+" parts ${wanted})
+  list(LENGTH parts PACKAGE_FIND_VERSION_COUNT)
+  list(GET parts 0 PACKAGE_FIND_VERSION_MAJOR)
+  list(GET parts 1 PACKAGE_FIND_VERSION_MINOR)
+  set(PACKAGE_FIND_VERSION ${wanted})
+  include(${version_file})
+  if(NOT PACKAGE_VERSION_COMPATIBLE STREQUAL expected)
+    message(SEND_ERROR "find_package(restframe ${wanted}): ${PACKAGE_VERSION_COMPATIBLE}, must be ${expected}")
+  endif()
+endfunction()
+
+string(REGEX MATCH "^([0-9]+)\\.([0-9]+)\\.([0-9]+)$" VERSION ${VERSION})
+math(EXPR next_major "${CMAKE_MATCH_1} + 1")
+math(EXPR next_minor "${CMAKE_MATCH_2} + 1")
+math(EXPR next_patch "${CMAKE_MATCH_3} + 1")
+check_version(${CMAKE_MATCH_1}.${CMAKE_MATCH_2} TRUE)
+check_version(${VERSION} TRUE)
+check_version(${CMAKE_MATCH_1}.${CMAKE_MATCH_2}.${next_patch} FALSE)
+check_version(${CMAKE_MATCH_1}.${next_minor} FALSE)
+check_version(${next_major}.0 FALSE)
+
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/consumer -B ${work}/build -G ${GENERATOR}
-  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${work}/prefix -DCMAKE_BUILD_TYPE=Release)
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${PREFIX} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${work}/build)
-run(${work}/build/consumer)
+run(${work}/build/consumer ${SOURCE_DIR}/consumer/scene.toml ${work})
+foreach(name rest fast)
+  if(NOT EXISTS ${work}/${name}.exr)
+    message(SEND_ERROR "${work}/${name}.exr is missing")
+  endif()
+endforeach()

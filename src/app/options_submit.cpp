@@ -57,8 +57,9 @@ CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
   command->add_option("--partition", submit.partition, "The partition of the cluster");
   command->add_option("--memory", submit.memory,
                       "Memory of a task, as 8G; unless given, what the scene needs");
-  command->add_option("--sbatch", submit.directives,
-                      "A further option of sbatch, as --sbatch=--account=film; may be repeated")
+  command
+      ->add_option("--sbatch", submit.directives,
+                   "A further option of sbatch, as --sbatch=--account=film; may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--dry-run", submit.dry_run,
                     "Write the scripts and print the commands, submit nothing");

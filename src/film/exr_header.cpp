@@ -147,6 +147,7 @@ Imf::Header exr_header(const PixelWindow& window, const PictureInfo& info, const
 
 void set_compression(Imf::Header& header, Compression compression, double level) {
   header.compression() = exr_compression(compression);
+  header.zipCompressionLevel() = 2;  // a sixth faster than the usual 4, and 2% larger
   if (compression != Compression::dwaa && compression != Compression::dwab) return;
   // Some versions of OpenEXR take it from the one, some from the other.
   header.dwaCompressionLevel() = static_cast<float>(level);

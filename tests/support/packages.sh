@@ -14,7 +14,8 @@ packages_blender=(blender python3-numpy) # tests/clients.sh
 packages_openimageio=(python3-openimageio python3-numpy)
 packages_cluster=(slurmctld slurmd slurm-client munge) # tests/cluster.sh
 packages_compare=(embree-tools) # tests/bench/compare.sh, with those of Blender
-packages_ci=(clang clang-format clang-tidy libclang-rt-14-dev lld shellcheck)
+packages_package=(dpkg-dev file man-db groff-base lintian mandoc mmdebstrap) # tests/package.sh
+packages_ci=(clang clang-format clang-tidy libclang-rt-14-dev lld shellcheck zsh fish)
 
 missing_packages() {
   local package
