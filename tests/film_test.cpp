@@ -118,13 +118,13 @@ TEST(Layers, TheTableHasEachOnce) {
                                           "albedo",
                                           "depth",
                                           "normal"}));
-  EXPECT_EQ(
-      channels,
-      (std::set<std::string>{
-          "Z",           "time_proper.V", "time_world.V", "doppler.D",  "N.X",        "N.Y",
-          "N.Z",         "P.X",           "P.Y",          "P.Z",        "UV.U",       "UV.V",
-          "id_object.V", "id_material.V", "variance.R",   "variance.G", "variance.B", "samples.V",
-          "motion.U",    "motion.V",      "depth.Z",      "normal.X",   "normal.Y",   "normal.Z"}));
+  EXPECT_EQ(channels,
+            (std::set<std::string>{
+                "Z",          "time_proper.V", "time_world.V", "doppler.D",   "N.X",
+                "N.Y",        "N.Z",           "P.X",          "P.Y",         "P.Z",
+                "UV.U",       "UV.V",          "UV.A",         "id_object.V", "id_material.V",
+                "variance.R", "variance.G",    "variance.B",   "samples.V",   "motion.U",
+                "motion.V",   "depth.Z",       "normal.X",     "normal.Y",    "normal.Z"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
@@ -224,6 +224,7 @@ TEST(Exr, HoldsWhatWasSet) {
                                            {"N.Z", -0.8F},
                                            {"UV.U", 0.125F},
                                            {"UV.V", 0.875F},
+                                           {"UV.A", 1.0F},
                                            {"id_object.V", 3.0F},
                                            {"id_material.V", 5.0F},
                                            {"variance.R", 0.25F},

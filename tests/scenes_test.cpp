@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path top = RESTFRAME_SOURCE_DIR;
-const std::vector<std::string> texts = {"README.md", "scenes/README.md", "scenes/reference.md"};
+const std::vector<std::string> texts = {"README.md", "scenes/README.md", "scenes/reference.md",
+                                        "scenes/layers.md"};
 
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -37,9 +37,11 @@ constexpr std::array position_channels{
     DataChannel{"P.Z", ChannelKind::plain, 0.0,
                 [](Data d, Units u) { return d.position.z * u.light_speed; }}};
 
+// Blender reads layers of three channels with these letters, and misreads any of two.
 constexpr std::array uv_channels{
     DataChannel{"UV.U", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.x); }},
-    DataChannel{"UV.V", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.y); }}};
+    DataChannel{"UV.V", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.y); }},
+    DataChannel{"UV.A", ChannelKind::plain, 0.0, [](Data, Units) { return 1.0; }}};
 
 constexpr std::array id_channels{DataChannel{"id_object.V", ChannelKind::plain, 0.0,
                                              [](Data d, Units) { return d.object + 1.0; }},

@@ -10,6 +10,10 @@ def text_at(data, at):
     return data[at:end].decode(), end + 1
 
 
+class Attribute(bytes):
+    """A value's bytes, and which type they are of."""
+
+
 def read_header(data):
     """Attributes by name, and where they end."""
     magic, version = struct.unpack_from("<ii", data)
@@ -18,9 +22,10 @@ def read_header(data):
     attributes, at = {}, 8
     while data[at] != 0:
         name, at = text_at(data, at)
-        _, at = text_at(data, at)
+        kind, at = text_at(data, at)
         (size,) = struct.unpack_from("<i", data, at)
-        attributes[name] = data[at + 4 : at + 4 + size]
+        attributes[name] = Attribute(data[at + 4 : at + 4 + size])
+        attributes[name].kind = kind
         at += 4 + size
     return attributes, at + 1
 
@@ -41,6 +46,25 @@ def strings_of(attribute):
         strings.append(attribute[at + 4 : at + 4 + size].decode())
         at += 4 + size
     return strings
+
+
+NUMBERS = {"v3d": "<3d", "v2f": "<2f", "double": "<d", "float": "<f", "int": "<i", "m44f": "<16f"}
+
+
+def read_attributes(path):
+    """Those of numbers and texts, by name; lists of what has several."""
+    with open(path, "rb") as file:
+        data = file.read()
+    attributes, _ = read_header(data)
+    read = {}
+    for name, value in attributes.items():
+        kind = value.kind
+        if kind in NUMBERS:
+            numbers = list(struct.unpack(NUMBERS[kind], value))
+            read[name] = numbers if len(numbers) > 1 else numbers[0]
+        elif kind == "string":
+            read[name] = value.decode()
+    return read
 
 
 def read_exr(path):

@@ -10,7 +10,8 @@ packages_build=(
 )
 packages_test=(libgtest-dev libgmock-dev assimp-testmodels)
 packages_bench=(libbenchmark-dev)
-packages_blender=(blender python3-numpy) # tests/clients/blender.sh
+packages_blender=(blender python3-numpy) # tests/clients.sh
+packages_openimageio=(python3-openimageio python3-numpy)
 packages_cluster=(slurmctld slurmd slurm-client munge) # tests/cluster.sh
 packages_compare=(embree-tools) # tests/bench/compare.sh, with those of Blender
 packages_package=(dpkg-dev file man-db groff-base lintian mandoc mmdebstrap) # tests/package.sh

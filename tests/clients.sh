@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Other people's programs read what restframe writes: Blender and OpenImageIO.
+#     tests/clients.sh [PROGRAM]        build/release/restframe unless given
+# Installs Debian's blender, python3-numpy and python3-openimageio (530 MB) where they are missing. Says so in
+# a line and goes on where they can not be had, unless RESTFRAME_NEED_CLIENTS is set. A line for each thing
+# that is compared, with the numbers.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+# shellcheck source=SCRIPTDIR/support/packages.sh
+source support/packages.sh
+program=$(realpath "${1:-../build/release/restframe}")
+scripts=$PWD/clients
+python=/usr/bin/python3 # Debian's, which the packages are for, whatever comes first on PATH
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+export XDG_CONFIG_HOME=$folder/config XDG_CACHE_HOME=$folder/cache PYTHONDONTWRITEBYTECODE=1
+failed=()
+
+# part NAME COMMAND...: goes on after a failure, which is named at the end.
+part() {
+  local name=$1 begin=$SECONDS
+  shift
+  "$@" || failed+=("$name")
+  echo "clients: $name: $((SECONDS - begin)) s"
+}
+
+# have NAME PACKAGE...: whether they are there now.
+have() {
+  local name=$1 said
+  shift
+  said=$(install_packages "$@" 2>&1) && return 0
+  echo "clients: $name: skipped, its packages can not be had: $(tail -n 1 <<<"$said")"
+  [ -z "${RESTFRAME_NEED_CLIENTS:-}" ] || failed+=("$name")
+  return 1
+}
+
+# The same picture with every compression of OpenEXR.
+render_layers() {
+  local kind
+  cp "$scripts/square.obj" "$folder"
+  for kind in none rle zips zip piz pxr24 dwaa dwab; do
+    sed "s/^compression = .*/compression = \"$kind\"/" "$scripts/layers.toml" >"$folder/$kind.toml"
+    timeout -s KILL 60 "$program" render "$folder/$kind.toml" --output "$folder/$kind.exr" --quiet || return 1
+  done
+}
+
+# in_blender SCRIPT ARGUMENTS...: what it says itself, or all that was said if it fails.
+in_blender() {
+  local script=$1 log=$folder/blender.log
+  shift
+  if timeout -s KILL 60 blender --background --factory-startup --python-exit-code 1 \
+    --python "$scripts/$script" -- "$@" >"$log" 2>&1; then
+    grep -E '^(ok|FAULT|add-on): ' "$log"
+  else
+    tail -n 40 "$log"
+    return 1
+  fi
+}
+
+part pictures render_layers
+if have openimageio "${packages_openimageio[@]}"; then
+  part openimageio timeout -s KILL 60 "$python" "$scripts/openimageio_check.py" "$folder"
+fi
+if have blender "${packages_blender[@]}"; then
+  part 'layers in Blender' in_blender blender_layers.py "$folder"
+  part 'scenes from Blender' "$scripts/blender.sh" "$program"
+  part 'add-on in Blender' in_blender addon_check.py "$program"
+fi
+
+if [ ${#failed[@]} -gt 0 ]; then
+  printf 'clients: FAILED: %s\n' "${failed[@]}"
+  exit 1
+fi
+echo "clients: all that could be had agree, after $SECONDS s"
