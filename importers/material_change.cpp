@@ -48,6 +48,7 @@ void apply(const MaterialChange& change, Material& material) {
   if (change.base_color_texture == false) material.base_color_texture = {};
   if (change.thin_walled) material.thin_walled = *change.thin_walled;
   if (change.unlit) material.unlit = *change.unlit;
+  if (change.group) material.group = *change.group;
   const bool see_through = material.opacity.function != no_function || material.opacity.value < 1;
   if (opacity_given && see_through && material.alpha_mode == AlphaMode::opaque) {
     material.alpha_mode = AlphaMode::blend;

@@ -92,6 +92,7 @@ struct MaterialChange {
   std::vector<std::pair<TemporalColor Material::*, Property>> colors;
   SpectrumChange spectrum;  // of its emission
   std::optional<bool> base_color_texture, thin_walled, unlit;
+  std::optional<std::string> group;
 };
 
 // [scene], [animation], [exposure], [render], [output]
@@ -118,6 +119,9 @@ std::optional<int> read_object_reference(TableReader& table, const std::string& 
 // A point in the coordinates of an object's asset as it is placed, from the object's origin in
 // light-seconds.
 Vec3 object_point(const SceneFile& file, int object, const Vec3& point);
+
+// The name of a group of lights.
+std::optional<std::string> read_group(TableReader& table);
 
 std::optional<Property> read_property(TableReader& table, const std::string& key,
                                       const ValueRule& rule, SceneFile& file);

@@ -9,6 +9,7 @@
 #include "importers/scene_file_light.h"
 #include "importers/scene_file_motion.h"
 #include "importers/scene_file_spectrum.h"
+#include "scene/light_groups.h"
 
 namespace restframe {
 namespace {
@@ -101,21 +102,6 @@ void read_sky(TableReader& table, const LightStart* start, SceneFile& file, Ligh
   read_sky_map(table, file, light);
   if (light.sky_map < 0) return;
   if (start != nullptr) light.rest_from_map = turned_axes(start->object_from_asset, light);
-}
-
-// Layers will be called light_GROUP.
-void read_group(TableReader& table, Light& light) {
-  const auto group = table.text("group");
-  if (!group) return;
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  };
-  if (!std::all_of(group->begin(), group->end(), is_plain)) {
-    table.report(table.place("group"),
-                 fmt::format("group is \"{}\", must be letters, digits, _ and - only", *group));
-  }
-  light.group = *group;
 }
 
 void ride(int index, const Vec3& position, const SceneFile& file, Light& light) {
@@ -221,6 +207,16 @@ void read_type(TableReader& reader, const LightStart* start, Light& light) {
 
 }  // namespace
 
+// Layers are called light_GROUP.
+std::optional<std::string> read_group(TableReader& table) {
+  auto group = table.text("group");
+  if (group && !is_group_name(*group)) {
+    table.report(table.place("group"),
+                 fmt::format("group is \"{}\", must be letters, digits, _ and - only", *group));
+  }
+  return group;
+}
+
 void read_light(const ConfigTable& table, const LightStart* start, SceneFile& file) {
   TableReader unnamed(table, {file.faults, fmt::format("light_{}", file.scene.lights.size() + 1)});
   Light light = start ? start->light : Light{};
@@ -234,7 +230,7 @@ void read_light(const ConfigTable& table, const LightStart* start, SceneFile& fi
   read_sky(reader, start, file, light);
   read_place(reader, start, file, light);
   read_emission(reader, file, light);
-  read_group(reader, light);
+  light.group = read_group(reader).value_or(light.group);
   reader.finish();
   file.scene.lights.push_back(std::move(light));
 }

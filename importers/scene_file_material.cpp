@@ -35,6 +35,7 @@ void read_properties(TableReader& material, MaterialChange& change, SceneFile& f
   change.base_color_texture = material.boolean("base_color_texture");
   change.thin_walled = material.boolean("thin_walled");
   change.unlit = material.boolean("unlit");
+  change.group = read_group(material);
 }
 
 std::optional<MaterialChange> read_change(const ConfigTable& table, SceneFile& file) {

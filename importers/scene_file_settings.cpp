@@ -24,15 +24,17 @@ const std::vector<std::string> layer_names = {"beauty",
                                               "normal",
                                               "crypto_object",
                                               "crypto_material",
-                                              "crypto_asset"};
+                                              "crypto_asset",
+                                              "emission",
+                                              "direct",
+                                              "indirect",
+                                              "reflection",
+                                              "transmission",
+                                              "lights",
+                                              "albedo",
+                                              "motion"};
 const std::vector<std::string> compression_names = {"none",  "rle",  "zips", "zip", "piz",
                                                     "pxr24", "dwaa", "dwab", "b44", "b44a"};
-
-bool is_later_layer(const std::string& name) {
-  static const std::vector<std::string> later = {
-      "motion", "albedo", "direct", "indirect", "emission", "reflection", "transmission"};
-  return name.starts_with("light_") || std::find(later.begin(), later.end(), name) != later.end();
-}
 
 void read_scene(TableReader& root, SceneFile& file) {
   const ConfigTable* table = root.table("scene");
@@ -121,17 +123,14 @@ std::vector<Layer> read_layers(const ConfigArray& names, TableReader& output) {
   std::vector<Layer> layers;
   for (const ConfigValue& value : names) {
     const std::optional<std::string> name = read_text(value, "a layer", output.report);
-    if (name && is_later_layer(*name)) {
-      output.not_supported(value.at, *name);
-    } else if (name) {
-      const auto index = read_choice(value.at, *name, "a layer", layer_names, output.report);
-      if (!index) continue;
-      const Layer layer = static_cast<Layer>(*index);
-      if (std::find(layers.begin(), layers.end(), layer) != layers.end()) {
-        output.report(value.at, fmt::format("the layer \"{}\" is given twice", *name));
-      }
-      layers.push_back(layer);
+    if (!name) continue;
+    const auto index = read_choice(value.at, *name, "a layer", layer_names, output.report);
+    if (!index) continue;
+    const Layer layer = static_cast<Layer>(*index);
+    if (has_layer(layers, layer)) {
+      output.report(value.at, fmt::format("the layer \"{}\" is given twice", *name));
     }
+    layers.push_back(layer);
   }
   return layers;
 }

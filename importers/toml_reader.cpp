@@ -96,18 +96,6 @@ std::optional<std::string> TableReader::one_of(const std::vector<std::string>& k
   return first;
 }
 
-void TableReader::not_supported(const std::vector<std::string>& keys) {
-  for (const std::string& key : keys) {
-    if (has(key)) not_supported(key_place(key), key);
-    // Never to be proposed in place of a misspelt one.
-    if (!has(key)) std::erase(known_, key);
-  }
-}
-
-void TableReader::not_supported(TextPosition at, const std::string& word) {
-  report.faults.add(at, fmt::format("\"{}\" is not supported by this version of restframe", word));
-}
-
 TextPosition TableReader::place(const std::string& key) const {
   for (const ConfigEntry& entry : table_.entries) {
     if (entry.key == key) return entry.value.at;

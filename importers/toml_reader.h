@@ -40,10 +40,6 @@ class TableReader {
   // Of the keys that exclude each other, the first that is there; every further one is a fault.
   std::optional<std::string> one_of(const std::vector<std::string>& keys);
 
-  // Keys that mean something, but not to this version.
-  void not_supported(const std::vector<std::string>& keys);
-  void not_supported(TextPosition at, const std::string& word);
-
   // Where the key's value stands; the table's own place if the key is absent.
   TextPosition place(const std::string& key) const;
   TextPosition place() const { return table_.at; }

@@ -323,6 +323,7 @@ TEST(Canonical, ChangesWithMaterials) {
       {"alpha cutoff", [](Scene& s) { s.materials[0].alpha_cutoff = 0.25F; }},
       {"double sided", [](Scene& s) { s.materials[0].double_sided = true; }},
       {"unlit", [](Scene& s) { s.materials[0].unlit = true; }},
+      {"group", [](Scene& s) { s.materials[0].group = "neon"; }},
       {"thin_walled", [](Scene& s) { s.materials[0].thin_walled = true; }},
       {"temperature", [](Scene& s) { s.materials[0].emission_temperature.value = 3000; }},
       {"temperature's function",

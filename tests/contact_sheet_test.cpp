@@ -206,7 +206,8 @@ TEST_F(ContactSheetOfAScene, EachCellHasItsPicturesLight) {
 
 TEST_F(ContactSheetOfAScene, IsTheSameForAResumedAnimation) {
   ASSERT_EQ(render({"--contact-sheet", "a.png"}).exit_code, 0);
-  for (const char* name : {"p.03.exr", "p.07.exr", "p.07.png"}) fs::remove(path(name));
+  for (const char* name : {"p.03.exr", "p.07.exr", "p.07.png", "p.08.png"}) fs::remove(path(name));
+  fs::resize_file(path("p.09.png"), 500);
   ASSERT_EQ(render({"--contact-sheet", "b.png", "--threads", "1"}).exit_code, 0);
   EXPECT_TRUE(content_of(path("a.png")) == content_of(path("b.png")));
   ASSERT_EQ(render({"--contact-sheet", "part.png", "--pictures", "3-4", "--quiet"}).exit_code, 0);
@@ -227,11 +228,6 @@ TEST_F(ContactSheetOfAScene, WhatCanNotBeMadeIsSaid) {
   fails({"--contact-sheet", "scene.toml/sheet.png"}, 3, "scene.toml/sheet.png");
   EXPECT_FALSE(fs::exists(path("p.00.exr")));
   ASSERT_EQ(render({"--pictures", "0-1"}).exit_code, 0);
-  fs::remove(path("p.01.png"));
-  fails({"--contact-sheet", "s.png", "--pictures", "0-1"}, 2, "p.01.png: missing");
-  fs::copy(path("p.00.png"), path("p.01.png"));
-  fs::resize_file(path("p.01.png"), 500);
-  fails({"--contact-sheet", "s.png", "--pictures", "0-1"}, 2, "p.01.png");
   write_png(path("p.01.png"), 2, 2, std::vector<std::uint8_t>(12));
   fails({"--contact-sheet", "s.png", "--pictures", "0-1"}, 2, "p.01.png: is 2 x 2 pixels");
   EXPECT_FALSE(fs::exists(path("s.png")));

@@ -26,7 +26,7 @@ resolution = [90, 70]
 samples = 3
 seed = 7
 [output]
-layers = ["beauty", "Z", "time", "doppler", "N", "P", "UV", "id"]
+layers = ["beauty", "Z", "time", "doppler", "N", "P", "UV", "id", "emission", "direct", "reflection", "lights", "albedo", "motion"]
 [[object]]
 name = "board"
 asset = "board.obj"

@@ -1,10 +1,12 @@
 // Film samples, the table of layers, and pictures through EXR files and back.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -69,6 +71,14 @@ const std::vector<Layer> all_layers = {Layer::beauty,
                                        Layer::crypto_object,
                                        Layer::crypto_material,
                                        Layer::crypto_asset,
+                                       Layer::motion,
+                                       Layer::emission,
+                                       Layer::direct,
+                                       Layer::indirect,
+                                       Layer::reflection,
+                                       Layer::transmission,
+                                       Layer::lights,
+                                       Layer::albedo,
                                        Layer::depth,
                                        Layer::apparent_normal};
 
@@ -85,17 +95,58 @@ TEST(Layers, TheTableHasEachOnce) {
   }
   EXPECT_EQ(layers, std::set<Layer>(all_layers.begin(), all_layers.end()));
   EXPECT_EQ(layer_table().size(), all_layers.size());
-  EXPECT_EQ(names, (std::set<std::string>{"beauty", "Z", "time", "doppler", "N", "P", "UV", "id",
-                                          "variance", "samples", "crypto_object", "crypto_material",
-                                          "crypto_asset", "depth", "normal"}));
+  EXPECT_EQ(names, (std::set<std::string>{"beauty",
+                                          "Z",
+                                          "time",
+                                          "doppler",
+                                          "N",
+                                          "P",
+                                          "UV",
+                                          "id",
+                                          "variance",
+                                          "samples",
+                                          "crypto_object",
+                                          "crypto_material",
+                                          "crypto_asset",
+                                          "motion",
+                                          "emission",
+                                          "direct",
+                                          "indirect",
+                                          "reflection",
+                                          "transmission",
+                                          "lights",
+                                          "albedo",
+                                          "depth",
+                                          "normal"}));
   EXPECT_EQ(
       channels,
       (std::set<std::string>{
           "Z",         "time_proper.V", "time_world.V",  "doppler.D",  "N.X",        "N.Y",
           "N.Z",       "P.X",           "P.Y",           "P.Z",        "UV.U",       "UV.V",
           "UV.A",      "id_object.V",   "id_material.V", "variance.R", "variance.G", "variance.B",
-          "samples.V", "depth.Z",       "normal.X",      "normal.Y",   "normal.Z"}));
+          "samples.V", "motion.U",      "motion.V",      "motion.A",   "depth.Z",    "normal.X",
+          "normal.Y",  "normal.Z"}));
   EXPECT_EQ(channels.size(), channel_count);
+}
+
+TEST(Layers, PartsAreNamedByTheTableAndByGroups) {
+  const std::vector<std::string> groups = {"key", "fill"};
+  std::map<std::string, int> columns;
+  for (const PartLayer& part : part_layers(all_layers, groups))
+    columns[part.exr_name] = part.column;
+  const std::map<std::string, int> expected = {
+      {"emission", 0}, {"direct", 1},     {"indirect", 2},  {"reflection", 3}, {"transmission", 4},
+      {"albedo", 5},   {"light_rest", 6}, {"light_key", 7}, {"light_fill", 8}};
+  EXPECT_EQ(columns, expected);
+  const std::vector<Layer> one = {Layer::z, Layer::albedo};
+  Picture picture({0, 0, 2, 1}, one, {}, groups);
+  EXPECT_THAT(picture.part_columns(), testing::ElementsAre(5));
+  const Vec3f color(1.5F, inf, nan);
+  picture.set_parts(1, 0, {&color, 1});
+  EXPECT_EQ(picture.planes()[1].name, "albedo.R");
+  EXPECT_EQ(picture.planes()[1].values[1], 1.5F);
+  EXPECT_EQ(picture.planes()[2].values[1], std::numeric_limits<float>::max());
+  EXPECT_EQ(picture.planes()[3].values[1], 0.0F);
 }
 
 TEST(Layers, OnlyThoseAskedForHaveChannels) {
@@ -125,6 +176,7 @@ SurfaceData surface() {
   data.uv = {0.125, 0.875};
   data.depth = 3.25;
   data.apparent_normal = {0.8, 0, 0.6};
+  data.motion = {1.5, -2.5};
   return data;
 }
 
@@ -149,6 +201,11 @@ TEST(Exr, HoldsWhatWasSet) {
   picture.set_data(2, 1, surface());
   picture.set_statistics(2, 1, {{0.25F, 0.5F, inf}, 48});
   picture.set_matte(2, 1, MatteKind::material, {{{0.5F, 0.75F}, {8.0F, 0.125F}}});
+  std::vector<Vec3f> parts;
+  for (const int column : picture.part_columns()) {
+    parts.push_back(static_cast<float>(column) + Vec3f(1, 0.5F, 0.25F));
+  }
+  picture.set_parts(2, 1, parts);
   const ExrPicture exr = written(picture).exr;
   EXPECT_EQ(exr.width, 3);
   EXPECT_EQ(exr.height, 2);
@@ -174,11 +231,20 @@ TEST(Exr, HoldsWhatWasSet) {
                                            {"variance.R", 0.25F},
                                            {"variance.G", 0.5F},
                                            {"variance.B", std::numeric_limits<float>::max()},
+                                           {"motion.U", 1.5F},
+                                           {"motion.V", -2.5F},
+                                           {"motion.A", 1.0F},
                                            {"samples.V", 48.0F},
                                            {"depth.Z", 6.5F},
                                            {"normal.X", 0.8F},
                                            {"normal.Y", 0.0F},
                                            {"normal.Z", 0.6F}};
+  for (const PartLayer& part : part_layers(all_layers, {})) {
+    const auto column = static_cast<float>(part.column);
+    expected[part.exr_name + ".R"] = column + 1;
+    expected[part.exr_name + ".G"] = column + 0.5F;
+    expected[part.exr_name + ".B"] = column + 0.25F;
+  }
   for (const char* layer : {"crypto_object", "crypto_material", "crypto_asset"}) {
     for (const std::string& channel : matte_channels(layer)) expected[channel] = 0;
   }
@@ -282,20 +348,6 @@ TEST(Exr, TheHeaderSaysWhatMadeIt) {
   for (const char* name : {"framesPerSecond", "worldToCamera", "worldToNDC", "chromaticities"}) {
     EXPECT_TRUE(attributes.contains(name)) << name;
   }
-}
-
-TEST(Exr, ATextIsReadBackFromACompleteFileOnly) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "picture.exr";
-  PictureInfo info;
-  info.texts = {{"note", "here"}};
-  write_exr(path, one_row({Vec4f(0.5F)}), info);
-  EXPECT_EQ(exr_text(path, "note"), "here");
-  EXPECT_EQ(exr_text(path, "other"), "");
-  EXPECT_EQ(exr_text(folder.path() / "none.exr", "note"), "");
-  EXPECT_EQ(exr_text(folder.path(), "note"), "");
-  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
-  EXPECT_EQ(exr_text(path, "note"), "");
 }
 
 TEST(Exr, AFolderThatIsNotThereIsAnOutputError) {

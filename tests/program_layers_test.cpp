@@ -50,7 +50,10 @@ class LayerFiles : public testing::Test {
   LayerFiles() { folder_.write("scene.toml", kScene); }
 
   RunResult render(const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments = {"render", "scene.toml"};
+    return run("render", options);
+  }
+  RunResult run(const std::string& command, const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {command, "scene.toml"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     RunOptions run_options;
     run_options.folder = folder_.path();
@@ -116,6 +119,22 @@ TEST_F(LayerFiles, AreAllThereOrMadeAgain) {
   const RunResult refused = render();
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.error, HasSubstr("--overwrite"));
+}
+
+// Of both eyes, and of a window that is no multiple of a tile.
+TEST_F(LayerFiles, AreTheSameFromShares) {
+  change("resolution = [20, 14]", "resolution = [61, 47]");
+  ASSERT_EQ(render().exit_code, 0);
+  for (const char* tile : {"1/3", "2/3", "3/3"}) {
+    ASSERT_EQ(render({"-o", "shares/s_####.exr", "--tile", tile}).exit_code, 0);
+  }
+  const RunResult merged = run("merge", {"-o", "shares/s_####.exr"});
+  ASSERT_EQ(merged.exit_code, 0) << merged.error;
+  for (const char* name : {"beauty_0000.exr", "Z_0001.exr", "time_0001.exr", "0000.png"}) {
+    EXPECT_TRUE(bytes_of(out(std::string("shot_") + name)) ==
+                bytes_of(out(std::string("../shares/s_") + name)))
+        << name;
+  }
 }
 
 TEST_F(LayerFiles, ShowTheLeftEyeAndAllThatIsRendered) {

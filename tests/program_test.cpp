@@ -98,7 +98,7 @@ TEST(Program, BadOptionsExitWithTwo) {
       {"--size", "0x5"},     {"--size", "640"},     {"--size", "3x4x5"},
       {"--pictures", "3"},   {"--pictures", "2-1"}, {"--pictures", "-1"},
       {"--pictures", "a"},   {"--pictures", "0-3"}, {"--pictures", "0-"},
-      {"--pictures", "1,2"}, {"--output", "x.png"}, {"--output", "noplace.exr"}};
+      {"--pictures", "1;2"}, {"--output", "x.png"}, {"--output", "noplace.exr"}};
   for (const auto& [option, value] : bad) {
     SCOPED_TRACE(std::string(option) + " " + value);
     expect_error(run(folder, {"render", "scene.toml", std::string(option) + "=" + value}), 2, {});

@@ -89,15 +89,6 @@ TEST_F(BadScene, MattesAreFloat) {
   });
 }
 
-TEST_F(BadScene, WhatThisVersionDoesNotDo) {
-  const auto none = [](const std::string& word) {
-    return "\"" + word + "\" is not supported by this version of restframe";
-  };
-  check({
-      {in_section("output", "layers = [\"beauty\", \"motion\"]"), {"2:21: " + none("motion")}},
-  });
-}
-
 TEST_F(BadScene, TypesAndRanges) {
   check({
       {in_section("scene", "light_speed = 0"), {"2:15: ", "light_speed is 0, must be above 0"}},

@@ -97,7 +97,7 @@ TEST_F(Submit, AsksForWhatTheSceneNeeds) {
   const std::string small = job_.content(kRenderScript);
   EXPECT_THAT(small, HasSubstr("\n#SBATCH --mem=256M\n"));
   EXPECT_THAT(small, HasSubstr("\n#SBATCH --cpus-per-task=1\n"));
-  EXPECT_THAT(small, HasSubstr("\n#SBATCH --array=0-6\n"));
+  EXPECT_THAT(small, HasSubstr("\nset -- 0 1 2 3 4 5 6\n"));
   ASSERT_EQ(submit({"--dry-run", "--size", "20000x10000"}).exit_code, 0);
   const std::string large = job_.content(kRenderScript);
   // Two pictures of R, G, B, A and Z in float, 20 bytes a pixel, are 8 GB: 4 cores' worth.
@@ -108,7 +108,9 @@ TEST_F(Submit, AsksForWhatTheSceneNeeds) {
 }
 
 TEST_F(Submit, TasksMakeThePicturesOfOneRun) {
-  ASSERT_EQ(submit({"--dry-run", "--chunk", "3", "--samples", "2", "--exposure", "-3"}).exit_code,
+  ASSERT_EQ(submit({"--dry-run", "--chunk", "3", "--samples", "2", "--exposure", "-3",
+                    "--checkpoint", "60"})
+                .exit_code,
             0);
   for (const int task : {2, 0, 1}) {
     const RunResult made = job_.run_task(kRenderScript, task);
@@ -135,11 +137,9 @@ TEST_F(Submit, TellsSbatchWhereLogsGoAndWhatToWaitFor) {
   job_.install("sbatch", kRecordingSbatch);
   const RunResult result = submit({"--chunk", "4"});
   ASSERT_EQ(result.exit_code, 0) << result.error;
-  EXPECT_THAT(result.out, HasSubstr("array 77: 7 pictures of 0-6 in 2 tasks of 4; then job 78"));
+  EXPECT_THAT(result.out, HasSubstr("array 77: 7 pictures in 2 tasks; then job 78"));
   std::string logs = job_.path(kFolder).string();
-  for (std::size_t at = 0; (at = logs.find('%', at)) != std::string::npos; at += 2) {
-    logs.insert(at, "%");
-  }
+  logs.insert(logs.find('%'), 1, '%');
   const std::string folder = job_.path(kFolder).string();
   EXPECT_EQ(job_.content("calls.txt"), "--parsable\n--output=" + logs + "/%A_%a.log\n" + folder +
                                            "/render.sh\n--parsable\n--dependency=afterany:77\n" +
@@ -153,19 +153,27 @@ TEST_F(Submit, LeavesOutWhatIsThere) {
   for (const char* made : {"0-2", "4", "6"}) {
     ASSERT_EQ(job_.run({"render", "scene.toml", "-p", made, "-q"}).exit_code, 0);
   }
-  ASSERT_EQ(submit({"--chunk", "1"}).exit_code, 0);
-  EXPECT_THAT(directives(job_.content(kRenderScript)), testing::Contains("--array=3,5"));
-  ASSERT_EQ(submit({"--chunk", "2"}).exit_code, 0);
-  EXPECT_THAT(directives(job_.content(kRenderScript)), testing::Contains("--array=1-2"));
-  ASSERT_EQ(submit({"--pictures", "3-6", "--chunk", "2"}).exit_code, 0);
+  const auto tasks = [&](const std::vector<std::string>& options) {
+    const RunResult result = submit(options);
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    const std::string script = job_.content(kRenderScript);
+    const std::size_t at = script.find("set -- ");
+    return script.substr(at, script.find('\n', at) - at);
+  };
+  EXPECT_EQ(tasks({"--chunk", "1"}), "set -- 3 5");
   EXPECT_THAT(directives(job_.content(kRenderScript)), testing::Contains("--array=0-1"));
-  ASSERT_EQ(submit({"--overwrite", "--chunk", "2"}).exit_code, 0);
-  EXPECT_THAT(directives(job_.content(kRenderScript)), testing::Contains("--array=0-3"));
-  EXPECT_THAT(job_.content(kRenderScript), HasSubstr("\"$first-$last\" --overwrite\n"));
+  EXPECT_EQ(tasks({"--chunk", "2"}), "set -- 3,5");
+  EXPECT_EQ(tasks({"--pictures", "4-6"}), "set -- 5");
+  EXPECT_THAT(job_.content(std::string(kFolder) + "/check.sh"), HasSubstr(" --pictures=4-6\n"));
+  EXPECT_EQ(tasks({"--overwrite", "--chunk", "4"}), "set -- 0-3 4-6");
+  EXPECT_EQ(tasks({"--overwrite", "--chunk", "2", "-p", "0-6:3"}), "set -- 0,3 6");
+  EXPECT_THAT(job_.content(kRenderScript), HasSubstr("\"$1\" --overwrite\n"));
+  EXPECT_EQ(tasks({"--chunk", "2", "-p", "2-3,0,5"}), "set -- 3,5");
+  ASSERT_EQ(job_.run_task(kRenderScript, 0).exit_code, 0);
   fs::remove(job_.path("calls.txt"));
-  const RunResult nothing = submit({"--pictures", "0-2"});
+  const RunResult nothing = submit();
   EXPECT_EQ(nothing.exit_code, 0);
-  EXPECT_THAT(nothing.out, HasSubstr("all 3 pictures are there already; nothing was submitted"));
+  EXPECT_THAT(nothing.out, HasSubstr("all 7 pictures are there already; nothing was submitted"));
   EXPECT_FALSE(fs::exists(job_.path("calls.txt")));
 }
 

@@ -128,10 +128,12 @@ TEST_F(Video, TurnsPreviewsOn) {
   write("scene.toml", scene.replace(scene.find("path ="), 0, "preview = false\n"));
   ASSERT_EQ(render({"-o", "q.##.exr"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(path("q.00.png")));
-  expect_error(render({"-o", "q.##.exr", "--video", "q.mp4"}), 2,
-               {"q.00.png: missing", "4 such pictures", "--overwrite"});
+  const std::string before = content_of(path("q.02.exr"));
+  ASSERT_EQ(render({"-o", "q.##.exr", "--video", "q.mp4"}).exit_code, 0);
+  EXPECT_TRUE(content_of(path("q.02.exr")) == before);
   ASSERT_EQ(render({"--video", "film.mp4"}).exit_code, 0);
   EXPECT_TRUE(content_of(path("film.mp4")) == pngs(0, 3));
+  EXPECT_TRUE(content_of(path("q.mp4")) == pngs(0, 3));
 }
 
 TEST_F(Video, WithoutFfmpegNothingIsRendered) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -29,7 +30,9 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto patience = 20ms;  // between two looks at the child and at signals
-constexpr auto grace = 5s;       // from SIGTERM to SIGKILL
+constexpr auto grace = 200ms;    // from SIGTERM to SIGKILL
+
+std::atomic<pid_t> running{0};
 
 [[noreturn]] void fail_to_start(const fs::path& program, int error_number) {
   throw OutputError(program.string() +
@@ -93,6 +96,7 @@ class Child {
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     if (error != 0) fail_to_start(program, error);
+    running = id_;
   }
   ~Child() {
     if (!has_ended()) end();
@@ -101,18 +105,22 @@ class Child {
   Child& operator=(const Child&) = delete;
 
   bool has_ended() {
-    if (!ended_ && waitpid(id_, &status_, WNOHANG) == id_) ended_ = true;
+    if (!ended_ && waitpid(id_, &status_, WNOHANG) == id_) set_ended();
     return ended_;
   }
   bool succeeded() const { return ended_ && WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
 
  private:
+  void set_ended() {
+    running = 0;
+    ended_ = true;
+  }
   void end() {
     kill(-id_, SIGTERM);
     const auto deadline = Clock::now() + grace;
     while (!has_ended() && Clock::now() < deadline) std::this_thread::sleep_for(patience);
     kill(-id_, SIGKILL);
-    if (!ended_) waitpid(id_, &status_, 0);
+    if (!ended_ && waitpid(id_, &status_, 0) == id_) set_ended();
   }
 
   pid_t id_ = -1;
@@ -185,6 +193,10 @@ ChildResult run_child(const fs::path& program, const std::vector<std::string>& a
     std::this_thread::sleep_for(patience);
   }
   return {taken && child.succeeded(), end_of(log.get(), kept)};
+}
+
+void kill_running_child() {
+  if (const pid_t child = running) kill(-child, SIGKILL);
 }
 
 }  // namespace restframe

@@ -30,4 +30,8 @@ ChildResult run_child(const std::filesystem::path& program,
                       const std::vector<std::string>& arguments, const NextInput& next_input,
                       std::size_t kept = 500);
 
+// Ends the program that run_child() runs, and what it started, without a word: for a process that is
+// about to end itself.
+void kill_running_child();
+
 }  // namespace restframe

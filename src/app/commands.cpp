@@ -12,6 +12,7 @@ int run(const Options& options) {
   struct Dispatch {
     const ImportLimits& limits;
     int operator()(const RenderOptions& o) const { return render(o, limits); }
+    int operator()(const MergeOptions& o) const { return merge(o, limits); }
     int operator()(const LatticeOptions& o) const { return author_lattice(o); }
     int operator()(const InfoOptions& o) const { return info(o, limits); }
     int operator()(const CheckOptions& o) const { return check(o, limits); }

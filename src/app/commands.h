@@ -14,17 +14,8 @@ Scene loaded_scene(const std::string& file, const ImportLimits& limits,
 // Throws InputError with every fault that validate() finds, each with the file's name.
 void throw_faults(const Scene& scene, const std::string& file);
 
-// The pictures that a call of `restframe render` is about.
-struct Job {
-  Scene scene;  // as the options have it
-  PictureRange range;
-  bool single() const { return range.first == range.last; }
-};
-
-// Throws InputError with every fault of the scene and the options.
-Job loaded_job(const RenderOptions& options, const ImportLimits& limits);
-
 int render(const RenderOptions& options, const ImportLimits& limits);
+int merge(const MergeOptions& options, const ImportLimits& limits);
 int author_lattice(const LatticeOptions& options);
 int info(const InfoOptions& options, const ImportLimits& limits);
 int check(const CheckOptions& options, const ImportLimits& limits);

@@ -4,6 +4,7 @@
 
 #include "app/info_words.h"
 #include "film/picture.h"
+#include "scene/light_groups.h"
 
 namespace restframe {
 namespace {
@@ -12,7 +13,7 @@ constexpr std::size_t megabyte = 1'000'000;
 
 // Of all its layers, measured on a picture of one pixel.
 std::size_t bytes_a_pixel(const Scene& scene) {
-  const Picture picture({0, 0, 1, 1}, scene.output.layers, {});
+  const Picture picture({0, 0, 1, 1}, scene.output.layers, {}, light_groups(scene));
   std::size_t bytes = sizeof(Vec4f) * picture.rgba().size();
   for (const Plane& plane : picture.planes()) {
     bytes += sizeof(float) * plane.values.size() + sizeof(double) * plane.times.size();

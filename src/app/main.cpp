@@ -1,5 +1,6 @@
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "app/commands.h"
 #include "app/messages.h"
@@ -16,7 +17,9 @@ int main(int argc, char** argv) {
     require_processor();
     catch_signals();
     const Options options = parse_options(argc, argv);
-    return run(options);
+    const int exit_code = run(options);
+    close_standard_output();
+    return exit_code;
   } catch (const HelpShown& shown) {
     return shown.exit_code;
   } catch (const InputError& error) {
@@ -26,11 +29,12 @@ int main(int argc, char** argv) {
     report_error(error.what());
     return 3;
   } catch (const Interrupted&) {
-    report_error(
-        "interrupted; finished pictures are kept, and the same command goes on from there");
-    return 130;
+    return report_interruption();
   } catch (const std::bad_alloc&) {
     report_error("out of memory; `restframe info` tells what a scene needs");
+    return 3;
+  } catch (const std::system_error& error) {  // of the system: no thread to be had, a closed output
+    report_error(error.what());
     return 3;
   } catch (const std::exception& error) {
     report_error(std::string("a defect of restframe, please report it: ") + error.what());

@@ -55,7 +55,10 @@ struct MeasuredBlock {
   // they are without overscan.
   Lanes<std::int32_t> judged;
 
-  explicit MeasuredBlock(Block<Tracer>& of) : block(of), coverage(exposure()) {
+  PartTotals parts;
+
+  MeasuredBlock(Block<Tracer>& of, const Picture& picture)
+      : block(of), coverage(exposure()), parts(picture.part_columns(), exposure()) {
     const bool mean = exposure().combine == Combine::mean;
     scale = mean ? 1.0F / static_cast<float>(exposure().count) : 1.0F;
     judge();
@@ -71,6 +74,7 @@ struct MeasuredBlock {
   // The samples [first, end) of an exposure.
   void take(int number, int first, int end) {
     for (int sample = first; sample < end; ++sample) {
+      if (interrupt_requested()) throw Interrupted();
       block.id.replicate = static_cast<std::uint32_t>(sample % replicate_count);
       block.id.sample = (static_cast<std::uint32_t>(number) << bits_) |
                         static_cast<std::uint32_t>(sample / replicate_count);
@@ -78,7 +82,8 @@ struct MeasuredBlock {
       CameraSample where;
       block.view.sampler.draw(block.pixels, random, where);
       RadianceLanes radiance;
-      trace(block, number, where, radiance, {nullptr, block.covers});
+      trace(block, number, where, radiance, {nullptr, block.covers, parts.sample()});
+      if (parts.are_wanted()) parts.add_sample();
       replicates.add(sample % replicate_count, radiance, scale);
       coverage.add(number, radiance);
       if (number == 0) replicates.count(sample % replicate_count);
@@ -89,10 +94,7 @@ struct MeasuredBlock {
     const double wanted = block.view.context.scene.render.noise;
     for (int samples = 0; samples < most_samples();) {
       const int end = samples_after_batch(samples, most_samples());
-      for (int number = 0; number < exposure().count; ++number) {
-        if (interrupt_requested()) throw Interrupted();
-        take(number, samples, end);
-      }
+      for (int number = 0; number < exposure().count; ++number) take(number, samples, end);
       samples = end;
       if (wanted > 0.0 && replicates.noise(judged) <= wanted) break;
     }
@@ -105,6 +107,7 @@ struct MeasuredBlock {
       if (coverage.is_wanted()) radiance[i].w = coverage.coverage(i, replicates.samples());
     }
     store(block, radiance, picture);
+    store_parts(block, parts, replicates.samples(), picture);
     const int samples = replicates.samples() * exposure().count;
     store_mattes(block, samples, picture);
     if (!picture.has_statistics()) return;
@@ -129,7 +132,7 @@ struct MeasuredBlock {
 
 template <class Tracer>
 void render_measured(Block<Tracer>& block, Picture& picture) {
-  MeasuredBlock<Tracer> measured(block);
+  MeasuredBlock<Tracer> measured(block, picture);
   measured.take_all();
   measured.store_in(picture);
 }

@@ -4,8 +4,12 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <memory>
+#include <system_error>
 
+#include "scene/error.h"
 #include "scene/message.h"
 
 namespace restframe {
@@ -35,6 +39,11 @@ void report_faults(const std::vector<std::string>& faults) {
           ? fmt::format(" (and {} more: `restframe check` lists them)", faults.size() - 1)
           : "";
   report_error(faults.front() + more);
+}
+
+void close_standard_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw OutputError("standard output: " + std::generic_category().message(errno));
 }
 
 }  // namespace restframe

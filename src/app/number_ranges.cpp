@@ -10,7 +10,7 @@ std::vector<PictureRange> ranges_of(std::span<const int> numbers) {
     if (!ranges.empty() && ranges.back().last + 1 == number) {
       ranges.back().last = number;
     } else {
-      ranges.push_back({number, number});
+      ranges.push_back({number, number, 1});
     }
   }
   return ranges;
@@ -18,9 +18,10 @@ std::vector<PictureRange> ranges_of(std::span<const int> numbers) {
 
 std::string ranges_text(std::span<const int> numbers, std::string_view separator) {
   std::string text;
-  for (const auto& [first, last] : ranges_of(numbers)) {
+  for (const auto& range : ranges_of(numbers)) {
     if (!text.empty()) text += separator;
-    text += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+    text += fmt::format("{}", range.first);
+    if (range.last > range.first) text += fmt::format("-{}", range.last);
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 
 #include "scene/error.h"
 #include "scene/message.h"
@@ -26,18 +27,53 @@ void parse_sizes(const std::string& option, const std::string& text, std::vector
   }
 }
 
-PictureRange parse_range(const std::string& text) {
-  PictureRange range;
-  const char* end = text.data() + text.size();
-  std::from_chars_result read = std::from_chars(text.data(), end, range.first);
-  range.last = range.first;
-  if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '-') {
-    read = std::from_chars(read.ptr + 1, end, range.last);
+namespace {
+
+// Reads a number after `mark`, which is skipped; false if there is something else.
+bool read_after(char mark, std::string_view& text, int& number) {
+  if (text.empty() || text.front() != mark) return false;
+  const auto [stop, fault] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
+  if (fault != std::errc{} || text[1] == '-') return false;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return true;
+}
+
+}  // namespace
+
+std::vector<PictureRange> parse_pictures(const std::string& text) {
+  std::vector<PictureRange> ranges;
+  const std::string marked = "," + text;
+  std::string_view rest = marked;
+  do {
+    PictureRange range;
+    bool good = read_after(',', rest, range.first);
+    range.last = range.first;
+    if (good && rest.starts_with('-')) {
+      good = read_after('-', rest, range.last);
+      if (good && rest.starts_with(':')) good = read_after(':', rest, range.step);
+    }
+    if (!good || range.last < range.first || range.step < 1 ||
+        !(rest.empty() || rest.starts_with(','))) {
+      throw InputError(fmt::format(
+          "--pictures: {} is neither a number, nor FIRST-LAST, nor FIRST-LAST:STEP, nor "
+          "some of these joined by commas",
+          quote(text)));
+    }
+    ranges.push_back(range);
+  } while (!rest.empty());
+  return ranges;
+}
+
+TileShare parse_share(const std::string& text) {
+  const std::string marked = "/" + text;
+  std::string_view rest = marked;
+  TileShare share;
+  if (!read_after('/', rest, share.part) || !read_after('/', rest, share.count) || !rest.empty() ||
+      !is_share(share)) {
+    throw InputError(fmt::format("--tile: {} is not PART/PARTS, as 3/16, with up to {} parts",
+                                 quote(text), most_shares));
   }
-  if (read.ec != std::errc{} || read.ptr != end || range.first < 0 || range.last < range.first) {
-    throw InputError(fmt::format("--pictures: \"{}\" is neither a number nor FIRST-LAST", text));
-  }
-  return range;
+  return share;
 }
 
 std::vector<double> parse_speeds(const std::string& text) {

@@ -71,7 +71,7 @@ void add_limits(CLI::App& command, ImportLimits& limits) {
 }
 
 struct Texts {
-  std::string pictures, size, view;
+  std::string pictures, tile, size, view;
 };
 
 // Which pictures of what, for all commands that are about pictures.
@@ -79,7 +79,8 @@ CLI::App* add_pictures(CLI::App* command, RenderOptions& render, Texts& texts) {
   command->add_option("SCENE", render.scene, "A scene file (.toml) or an asset")->required();
   command->add_option("-o,--output", render.output,
                       "Where pictures go, # for digits of their number: out/name.####.exr");
-  command->add_option("-p,--pictures", texts.pictures, "Only these: 7, or 0-119");
+  command->add_option("-p,--pictures", texts.pictures,
+                      "Only these: 7, or 0-119, or 0-999:10, or several: 0-9,50");
   command->add_option("--size", texts.size, "Width and height in pixels: 640x360");
   command->add_option("--samples", render.samples, "Samples a pixel")->check(CLI::Range(1, 65536));
   command
@@ -97,7 +98,7 @@ CLI::App* add_pictures(CLI::App* command, RenderOptions& render, Texts& texts) {
   return command;
 }
 
-// How they are made.
+// How files are made.
 CLI::App* add_work(CLI::App* command, RenderOptions& render) {
   command->add_option("--threads", render.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 1024));
@@ -105,10 +106,18 @@ CLI::App* add_work(CLI::App* command, RenderOptions& render) {
   return command;
 }
 
-CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
-  CLI::App* command =
-      app.add_subcommand("render", "Render a scene file or an asset to EXR pictures");
-  add_work(add_pictures(command, render, texts), render);
+CLI::App* add_checkpoint(CLI::App* command, RenderOptions& render) {
+  command
+      ->add_option("--checkpoint", render.checkpoint,
+                   "Seconds after which, again and again, a .part file keeps what is done of a "
+                   "picture; 0: never")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6).description(""));
+  return command;
+}
+
+// What is made of pictures.
+CLI::App* add_show(CLI::App* command, RenderOptions& render) {
   command->add_option("--video", render.video,
                       "Then a film of the pictures at the scene's rate: FILE.mp4; needs ffmpeg");
   command->add_option("--contact-sheet", render.contact_sheet,
@@ -117,8 +126,26 @@ CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
   return command;
 }
 
+CLI::App* add_render(CLI::App& app, RenderOptions& render, Texts& texts) {
+  CLI::App* command = app.add_subcommand(
+      "render", "Render a scene file or an asset to EXR pictures; again: those that are missing");
+  add_work(add_pictures(command, render, texts), render);
+  command->add_option("--tile", texts.tile,
+                      "Only one share of each picture, 3/16: a .part file for `restframe merge`");
+  return add_show(add_checkpoint(command, render), render);
+}
+
+CLI::App* add_merge(CLI::App& app, MergeOptions& merge, RenderOptions& render, Texts& texts) {
+  CLI::App* command = app.add_subcommand(
+      "merge", "Join what `restframe render --tile` made; takes the same options");
+  add_work(add_pictures(command, render, texts), render);
+  command->add_flag("--keep", merge.keep, "Keep the .part files");
+  return add_show(command, render);
+}
+
 RenderOptions completed(RenderOptions render, const Texts& texts) {
-  if (!texts.pictures.empty()) render.pictures = parse_range(texts.pictures);
+  if (!texts.pictures.empty()) render.pictures = parse_pictures(texts.pictures);
+  if (!texts.tile.empty()) render.tile = parse_share(texts.tile);
   if (!texts.size.empty()) {
     int width = 0;
     int height = 0;
@@ -166,6 +193,7 @@ Options parse_options(int argc, char** argv) {
   app.require_subcommand(1);
   Options options;
   RenderOptions render;
+  MergeOptions merge;
   LatticeOptions lattice;
   InfoOptions info;
   CheckOptions check;
@@ -180,10 +208,15 @@ Options parse_options(int argc, char** argv) {
     std::function<decltype(Options::command)()> options;
   };
   CLI::App* render_command = add_render(app, render, texts);
-  CLI::App* submit_command = add_work(add_pictures(add_submit(app, submit), render, texts), render);
+  CLI::App* submit_command = add_checkpoint(
+      add_work(add_pictures(add_submit(app, submit), render, texts), render), render);
   CLI::App* status_command = add_pictures(add_status(app, status), render, texts);
   const Command commands[] = {
       {render_command, true, [&] { return completed(render, texts); }},
+      {add_merge(app, merge, render, texts), true,
+       [&] {
+         return MergeOptions{completed(render, texts), merge.keep};
+       }},
       {submit_command, true,
        [&] { return completed(submit, completed(render, texts), *submit_command); }},
       {status_command, true, [&] { return completed(status, completed(render, texts)); }},

@@ -11,15 +11,27 @@
 
 namespace restframe {
 
+// The pictures first, first + step, ... up to last.
 struct PictureRange {
-  int first = 0, last = 0;  // inclusive
+  int first = 0, last = 0, step = 1;
 };
+
+// The part-th of so many shares of a picture's tiles; the first is 1.
+struct TileShare {
+  int part = 1, count = 1;
+};
+inline constexpr int most_shares = 10'000;
+inline bool is_share(const TileShare& share) {
+  return share.part >= 1 && share.part <= share.count && share.count <= most_shares;
+}
 
 struct RenderOptions {
   std::string scene;
   std::optional<std::string> output;
   std::optional<std::string> variant;  // of an asset that is rendered without a scene file
-  std::optional<PictureRange> pictures;
+  std::vector<PictureRange> pictures;  // none: all
+  std::optional<TileShare> tile;       // only these tiles, into part files
+  double checkpoint = 120;             // seconds between two of a picture; 0: none
   std::optional<int> width, height, samples;
   std::optional<double> noise;
   std::optional<double> exposure;  // of the previews
@@ -30,13 +42,20 @@ struct RenderOptions {
   std::optional<std::string> video, contact_sheet;  // files made of the previews
 };
 
+// The parts of pictures that were rendered with such options, and shares, go together.
+struct MergeOptions {
+  RenderOptions render;
+  bool keep = false;  // the part files
+};
+
 // Pictures made by a cluster's scheduler.
 struct SubmitOptions {
   RenderOptions render;
   bool by_slurm = false;
-  std::vector<std::string>
-      passed_on;  // options of the scene and its pictures as given, for each task
-  int chunk = 0;  // pictures a task; 0: as many as give at most 100 tasks
+  std::vector<std::string> passed_on;   // options of the pictures as given, for each task
+  std::vector<std::string> work;        // likewise, of how they are made
+  std::string pictures;                 // likewise, for those that are checked in the end
+  int chunk = 0;                        // pictures a task; 0: as many as give at most 100 tasks
   std::string time, partition, memory;  // of a task, in Slurm's words; empty: as we or Slurm choose
   std::vector<std::string> directives;  // further options of sbatch
   bool dry_run = false;
@@ -71,8 +90,8 @@ struct CurvesOptions {
 };
 
 struct Options {
-  std::variant<RenderOptions, LatticeOptions, InfoOptions, CheckOptions, CurvesOptions,
-               SubmitOptions, StatusOptions>
+  std::variant<RenderOptions, MergeOptions, LatticeOptions, InfoOptions, CheckOptions,
+               CurvesOptions, SubmitOptions, StatusOptions>
       command;
   ImportLimits limits;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 
 #include "scene/error.h"
 #include "scene/message.h"
@@ -12,18 +13,23 @@
 namespace restframe {
 namespace {
 
-// What submit reads itself; every other option it hands to the tasks as it is.
-constexpr std::array own_options = {"--help",      "--slurm",   "--chunk",    "--time",
-                                    "--partition", "--memory",  "--sbatch",   "--dry-run",
-                                    "--output",    "--threads", "--pictures", "--overwrite"};
+// What submit reads itself; every other option it hands on as it is.
+constexpr std::array own_options = {"--help",      "--slurm",   "--chunk",   "--time",
+                                    "--partition", "--memory",  "--sbatch",  "--dry-run",
+                                    "--output",    "--threads", "--pictures"};
+// What `restframe status` has no use for.
+constexpr std::array work_options = {"--checkpoint", "--overwrite"};
 
-std::vector<std::string> passed_on(const CLI::App& command) {
+bool is_among(const std::string& name, std::span<const char* const> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> passed_on(const CLI::App& command, bool of_work) {
   std::vector<std::string> words;
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
-    const bool is_own =
-        std::find(own_options.begin(), own_options.end(), name) != own_options.end();
-    if (option->count() == 0 || option->get_positional() || is_own) continue;
+    if (option->count() == 0 || option->get_positional()) continue;
+    if (is_among(name, own_options) || is_among(name, work_options) != of_work) continue;
     const bool is_flag = option->get_expected_max() == 0;
     words.push_back(is_flag ? name : name + "=" + option->results().back());
   }
@@ -76,7 +82,10 @@ CLI::App* add_status(CLI::App& app, StatusOptions& status) {
 SubmitOptions completed(SubmitOptions options, const RenderOptions& render,
                         const CLI::App& command) {
   options.render = render;
-  options.passed_on = passed_on(command);
+  options.passed_on = passed_on(command, false);
+  options.work = passed_on(command, true);
+  const CLI::Option* pictures = command.get_option("--pictures");
+  if (pictures->count() > 0) options.pictures = pictures->results().back();
   check_word("--time", options.time, ":-");
   check_word("--partition", options.partition, "_-.,");
   check_word("--memory", options.memory, "");

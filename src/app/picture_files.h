@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,6 +21,8 @@ struct LayerFile {
 
 // In the order in which they are written: a picture is there when all of its images are.
 struct PictureFiles {
+  std::filesystem::path
+      whole;  // that would hold all layers: parts of the picture are called after it
   std::filesystem::path preview;
   std::vector<LayerFile> images;
 };
@@ -33,21 +34,6 @@ std::string layer_pattern(const std::string& pattern, const std::string& layer);
 
 // All bytes of a file. Throws InputError where it can not be read.
 std::string file_content(const std::filesystem::path& path);
-
-// Of the pictures [first, last], those that are still to be made: missing or torn ones. A complete
-// picture of another scene is an InputError that says what differs; `overwrite` makes all again.
-std::vector<int> pictures_to_make(const Scene& scene, int first, int last, bool overwrite);
-
-enum class Found : std::uint8_t { nothing_of_use, the_same, another };
-
-struct ExistingPicture {
-  Found found = Found::nothing_of_use;
-  std::string difference;      // of another scene's ...
-  std::filesystem::path path;  // ... file; or the last one that is of no use
-};
-
-// What is there under the names of the pictures [first, last].
-std::vector<ExistingPicture> existing_pictures(const Scene& scene, int first, int last);
 
 // What the header says: of all pictures of a scene, and of one.
 PictureInfo common_info(const Scene& scene);

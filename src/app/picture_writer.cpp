@@ -1,5 +1,11 @@
 #include "app/picture_writer.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/messages.h"
+#include "app/part_files.h"
 #include "film/png_preview.h"
 
 namespace restframe {
@@ -26,10 +32,12 @@ WriteReport write_all(PictureToWrite picture) {
   const bool preview = picture.preview && picture.views.front().has_beauty();
   // The preview first: where the last EXR is, all of the picture is. Neither without the other.
   if (preview) write_png(picture.files.preview, picture.views.front(), picture.development);
+  std::error_code ignored;
   try {
-    return write_images(picture);
+    const WriteReport report = write_images(picture);
+    std::filesystem::remove(checkpoint_path(picture.files.whole), ignored);
+    return report;
   } catch (...) {
-    std::error_code ignored;
     if (preview) std::filesystem::remove(picture.files.preview, ignored);
     throw;
   }
@@ -43,6 +51,10 @@ PictureWriter::~PictureWriter() {
 
 void PictureWriter::write(PictureFiles files, std::span<const Picture> views, PictureInfo info) {
   finish();
+  ++written_;
+  if (std::all_of(views.begin(), views.end(), [](const Picture& p) { return p.shows_nothing(); })) {
+    ++empty_;
+  }
   pending_ =
       std::async(std::launch::async, write_all,
                  PictureToWrite{std::move(files), views, std::move(info), preview_, development_});
@@ -50,6 +62,27 @@ void PictureWriter::write(PictureFiles files, std::span<const Picture> views, Pi
 
 void PictureWriter::finish() {
   if (pending_.valid()) report_ += pending_.get();
+}
+
+void PictureWriter::report() const {
+  if (empty_ > 0) {
+    report_warning(
+        fmt::format("{} of {} pictures show nothing: the camera meets no object there, as it "
+                    "sees them",
+                    empty_, written_));
+  }
+  if (report_.clamped > 0) {
+    report_warning(
+        fmt::format("{} values of the beauty were not finite or beyond what the file "
+                    "holds, and were clamped",
+                    report_.clamped));
+  }
+  if (report_.clamped_data > 0) {
+    report_warning(
+        fmt::format("{} values of other layers were beyond what half holds, and were clamped; "
+                    "output.half names these layers",
+                    report_.clamped_data));
+  }
 }
 
 }  // namespace restframe

@@ -16,19 +16,20 @@ class PictureWriter {
   ~PictureWriter();
 
   // Waits for the picture before; rethrows what went wrong with it. `views`, one an eye, must stay as they
-  // are until the next call has returned.
+  // are until the next call has returned. When it is written, its checkpoint goes.
   void write(PictureFiles files, std::span<const Picture> views, PictureInfo info);
   // Waits for the last one.
   void finish();
 
-  // Of all pictures that have been waited for.
-  const WriteReport& report() const { return report_; }
+  // Warns of what is odd about the pictures that were written.
+  void report() const;
 
  private:
   bool preview_;
   Development development_;
   std::future<WriteReport> pending_;
   WriteReport report_;
+  std::size_t written_ = 0, empty_ = 0;
 };
 
 }  // namespace restframe

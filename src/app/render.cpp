@@ -2,146 +2,139 @@
 
 #include <algorithm>
 
+#include "app/canvas.h"
+#include "app/checkpoint.h"
 #include "app/commands.h"
-#include "app/messages.h"
+#include "app/job.h"
+#include "app/part_files.h"
 #include "app/picture_files.h"
 #include "app/picture_writer.h"
 #include "app/progress.h"
 #include "app/render_picture.h"
+#include "app/resume.h"
 #include "app/showing.h"
-#include "app/signals.h"
 #include "scene/error.h"
-#include "scene/framing.h"
 #include "scene/parallel.h"
 
 namespace restframe {
 namespace {
 
-void apply(const RenderOptions& options, Scene& scene) {
-  if (options.output) scene.output.path = *options.output;
-  if (options.width) scene.render.width = *options.width;
-  if (options.height) scene.render.height = *options.height;
-  if (options.samples) scene.render.samples = *options.samples;
-  if (options.noise) scene.render.noise = *options.noise;
-  if (options.exposure) scene.output.exposure = *options.exposure;
-  if (options.view) scene.output.view = *options.view;
-  if (wants_show(options)) scene.output.preview = true;  // it is made of the previews
-}
+namespace fs = std::filesystem;
 
-PictureRange range_of(const RenderOptions& options, const AnimationSettings& animation) {
-  const PictureRange all{0, animation.pictures - 1};
-  if (!options.pictures) return all;
-  if (options.pictures->last > all.last) {
-    throw InputError(fmt::format("--pictures: there is no picture {}; the last one is {}",
-                                 options.pictures->last, all.last));
+struct Work {
+  const Job& job;
+  const RenderOptions& options;
+  Provenance provenance;
+
+  fs::path part_path(int number) const {
+    const fs::path picture = job.path(number);
+    return options.tile ? share_path(picture, *options.tile) : checkpoint_path(picture);
   }
-  return *options.pictures;
-}
-
-}  // namespace
-
-Job loaded_job(const RenderOptions& options, const ImportLimits& limits) {
-  Scene scene = loaded_scene(options.scene, limits, options.variant);
-  apply(options, scene);
-  const PictureRange range = range_of(options, scene.animation);
-  Job job{std::move(scene), range};
-  // A single picture needs no number in its name.
-  if (job.single()) job.scene.animation.pictures = 1;
-  throw_faults(job.scene, options.scene);
-  if (!job.scene.camera_given) {
-    job.scene.camera = framing_camera(job.scene, job.scene.animation.start);
+  std::vector<std::size_t> tiles(const Canvas& canvas) const {
+    return tiles_of(options.tile.value_or(TileShare{}), canvas.tiles.size());
   }
-  return job;
-}
+};
 
-namespace {
-
-std::size_t samples_a_picture(const Scene& scene) {
-  const PixelWindow window = picture_window(scene.render);
-  return static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height) *
-         samples_a_pixel(scene) * eyes_of(scene.camera).size();
-}
-
-bool show_nothing(const std::vector<Picture>& views) {
-  return std::all_of(views.begin(), views.end(),
-                     [](const Picture& view) { return view.shows_nothing(); });
-}
-
-void report_clamped(const WriteReport& written) {
-  if (written.clamped > 0) {
-    report_warning(
-        fmt::format("{} values of the beauty were not finite or beyond what the file "
-                    "holds, and were clamped",
-                    written.clamped));
+std::size_t pixels_in(const Canvas& canvas, const std::vector<std::size_t>& tiles) {
+  std::size_t pixels = 0;
+  for (const std::size_t tile : tiles) {
+    const PixelWindow& window = canvas.tiles[tile];
+    pixels += static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
   }
-  if (written.clamped_data > 0) {
-    report_warning(
-        fmt::format("{} values of other layers were beyond what half holds, and were clamped; "
-                    "output.half names these layers",
-                    written.clamped_data));
+  return pixels;
+}
+
+std::vector<std::size_t> unmarked(std::vector<std::size_t> tiles, const TileMarks& done) {
+  const auto is_done = [&](std::size_t tile) { return done.is_marked(tile); };
+  tiles.erase(std::remove_if(tiles.begin(), tiles.end(), is_done), tiles.end());
+  return tiles;
+}
+
+// Renders those tiles of a picture that its part file, if there is one, does not hold.
+void complete(const Work& work, const RenderContext& context, int number, Canvas& canvas,
+              Progress& progress) {
+  const fs::path path = work.part_path(number);
+  const PartInfo now = part_info(work.provenance, number);
+  canvas.clear();
+  const auto before = read_part(path, canvas.views());
+  if (before && !difference(*before, now).empty()) canvas.clear();  // to be overwritten
+  const std::vector<std::size_t> all = work.tiles(canvas);
+  std::vector<std::vector<std::size_t>> left;  // of each eye
+  for (const TileMarks& done : canvas.done) {
+    left.push_back(unmarked(all, done));
+    const std::size_t there = pixels_in(canvas, all) - pixels_in(canvas, left.back());
+    progress.skip(there * samples_a_pixel(work.job.scene));
+  }
+  const Checkpoints checkpoints(path, now, canvas.views(),
+                                std::chrono::duration<double>(work.options.checkpoint));
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    render_tiles(context, number, left[i], canvas.pictures[i], canvas.done[i], canvas.eyes[i]);
   }
 }
 
-void render_pictures(const Scene& scene, const std::vector<int>& numbers, bool single, bool quiet,
-                     int threads) {
-  const FrameSet frames(scene, threads);
+void render_pictures(const Work& work, const std::vector<int>& numbers) {
+  const Scene& scene = work.job.scene;
+  const FrameSet frames(scene, thread_count());
   const Integrator integrator = make_integrator(scene, frames);
   EvaluatorPool evaluators(scene.functions);
-  Progress progress(numbers.size(), samples_a_picture(scene), quiet);
+  // One is rendered while the other is written.
+  std::vector<Canvas> canvases;
+  for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 2); ++i) {
+    canvases.emplace_back(scene);
+  }
+  const std::size_t pixels =
+      canvases[0].eyes.size() * pixels_in(canvases[0], work.tiles(canvases[0]));
+  Progress progress(numbers.size(), pixels * samples_a_pixel(scene), work.options.quiet);
   const RenderContext context{scene, integrator, evaluators,
                               [&](std::size_t samples) { progress.samples_done(samples); }};
-  // One is rendered while the other is written.
-  std::vector<std::vector<Picture>> pictures(std::min<std::size_t>(numbers.size(), 2),
-                                             blank_views(scene));
   const PictureInfo common = common_info(scene);
   PictureWriter writer(scene.output);
-  std::size_t empty = 0;
   std::size_t current = 0;
   for (const int number : numbers) {
-    render_views(context, number, pictures[current]);
-    writer.write(picture_files(scene, number, single), pictures[current],
-                 picture_info(common, scene, number));
+    Canvas& canvas = canvases[current];
+    complete(work, context, number, canvas, progress);
+    if (work.options.tile) {
+      write_part(work.part_path(number), part_info(work.provenance, number), canvas.views(),
+                 std::atomic<bool>(false));
+    } else {
+      writer.write(work.job.files(number), canvas.pictures, picture_info(common, scene, number));
+    }
     progress.picture_done();
-    if (show_nothing(pictures[current])) ++empty;
-    current = (current + 1) % pictures.size();
+    current = (current + 1) % canvases.size();
   }
   writer.finish();
-  if (empty > 0) {
-    report_warning(
-        fmt::format("{} of {} pictures show nothing: the camera meets no object there, as it "
-                    "sees them",
-                    empty, numbers.size()));
-  }
-  report_clamped(writer.report());
+  writer.report();
 }
 
-void print_result(const Job& job, std::size_t made) {
-  const auto count = static_cast<std::size_t>(job.range.last - job.range.first + 1);
-  const auto path = [&](int number) {
-    return picture_files(job.scene, number, job.single()).images.front().path.string();
-  };
-  const std::size_t files = picture_files(job.scene, job.range.first, job.single()).images.size();
-  fmt::print("{} of {} pictures made{}: {}{}{}{}\n", made, count,
-             made < count ? fmt::format(", {} were there already", count - made) : "",
-             path(job.range.first), job.single() ? "" : " to " + path(job.range.last),
-             files > 1 ? fmt::format(", and so for {} more layers", files - 1) : "",
-             job.scene.output.preview ? ", a .png beside each" : "");
+void print_shares(const Work& work, std::size_t made) {
+  const std::vector<int>& numbers = work.job.numbers;
+  fmt::print(
+      "tile {}/{} of {} of {} pictures made{}: {}{}\n", work.options.tile->part,
+      work.options.tile->count, made, numbers.size(),
+      made < numbers.size() ? fmt::format(", {} were there already", numbers.size() - made) : "",
+      work.part_path(numbers.front()).string(),
+      numbers.size() == 1 ? "" : " to " + work.part_path(numbers.back()).string());
 }
 
 }  // namespace
 
 int render(const RenderOptions& options, const ImportLimits& limits) {
+  if (options.tile && wants_show(options)) {
+    throw InputError(
+        "--tile: --video and --contact-sheet need whole pictures; `restframe merge` "
+        "takes them");
+  }
   set_thread_count(options.threads);
   const Job job = loaded_job(options, limits);
-  const auto& [scene, range] = job;
-  const std::vector<int> numbers =
-      pictures_to_make(scene, range.first, range.last, options.overwrite);
-  const Show show = planned_show(options, scene, range, numbers);
-  if (!numbers.empty()) {
-    render_pictures(scene, numbers, job.single(), options.quiet, thread_count());
-  }
-  if (!options.quiet) print_result(job, numbers.size());
-  make_show(show, scene);
+  const Work work{job, options, provenance_of(job.scene)};
+  std::vector<int> numbers = pictures_to_make(job, options.overwrite);
+  if (!options.overwrite) numbers = pictures_with_tiles_to_make(job, numbers, options.tile);
+  const Show show = planned_show(options, job);
+  prepare_folders(job, numbers);
+  if (!numbers.empty()) render_pictures(work, numbers);
+  if (!options.quiet && options.tile) print_shares(work, numbers.size());
+  if (!options.quiet && !options.tile) print_result(job, numbers.size());
+  make_show(show, job.scene);
   return 0;
 }
 

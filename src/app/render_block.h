@@ -3,10 +3,14 @@
 // A packet's worth of pixels, for those who render it.
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
 
 #include "app/render_picture.h"
 #include "film/cryptomatte.h"
+#include "film/part_totals.h"
+#include "tracer/apparent_motion.h"
 #include "tracer/apparent_surface.h"
 #include "tracer/camera_sampler.h"
 #include "tracer/cover_counts.h"
@@ -49,6 +53,7 @@ struct PictureView {
   MatteIds mattes;
   bool measured;  // how sure pixels are
   bool apparent;  // surfaces as the camera sees them are among the data layers
+  std::optional<ApparentMotion> motion;
 
   PictureView(const RenderContext& of, int picture, const PixelWindow& pixels, Eye eye)
       : context(of),
@@ -60,7 +65,12 @@ struct PictureView {
         mattes(matte_ids(of.scene)),
         measured(measures_noise(of.scene)),
         apparent(has_layer(of.scene.output.layers, Layer::depth) ||
-                 has_layer(of.scene.output.layers, Layer::apparent_normal)) {}
+                 has_layer(of.scene.output.layers, Layer::apparent_normal)) {
+    if (!has_layer(of.scene.output.layers, Layer::motion)) return;
+    motion.emplace(of.scene, camera, picture_time(of.scene.animation, picture + 1));
+  }
+  PictureView(const PictureView&) = delete;  // parts of it refer to others
+  PictureView& operator=(const PictureView&) = delete;
 };
 
 // A square of pixels that is rendered as one packet after the other.
@@ -102,18 +112,27 @@ void trace(const Block<Tracer>& block, int exposure, const CameraSample& sample,
   block.integrator.trace(rays, block.id, block.evaluator, radiance, layers);
 }
 
+// What depends on the camera, of what was hit.
+inline void set_as_seen(const PictureView& view, const CameraSample& sample, int lane,
+                        SurfaceData& seen) {
+  if (view.apparent) {
+    const auto object = static_cast<std::size_t>(seen.object);
+    set_apparent(view.camera.sight(0, sample, lane),
+                 view.context.scene.objects[object].worldline.velocity, seen);
+  }
+  if (view.motion) seen.motion = (*view.motion)(seen, {sample.film_x[lane], sample.film_y[lane]});
+}
+
 template <class Tracer>
 void trace_and_store_data(const Block<Tracer>& block, const CameraSample& sample,
-                          RadianceLanes& radiance, CoverCounts* covers, Picture& picture) {
+                          RadianceLanes& radiance, SampleLayers layers, Picture& picture) {
   SurfaceDataLanes data;
-  trace(block, 0, sample, radiance, {&data, covers});
+  layers.data = &data;
+  trace(block, 0, sample, radiance, layers);
   for_pixels(block, [&](int x, int y, int lane) {
-    if (block.view.apparent && data[lane].hit) {
-      const auto object = static_cast<std::size_t>(data[lane].object);
-      set_apparent(block.view.camera.sight(0, sample, lane),
-                   block.view.context.scene.objects[object].worldline.velocity, data[lane]);
-    }
-    picture.set_data(x, y, data[lane]);
+    SurfaceData& seen = data[lane];
+    if (seen.hit) set_as_seen(block.view, sample, lane, seen);
+    picture.set_data(x, y, seen);
   });
 }
 
@@ -123,7 +142,20 @@ void render_data(const Block<Tracer>& block, Picture& picture) {
   CameraSample sample;
   block.view.sampler.take_center(block.pixels, sample);
   RadianceLanes unused;
-  trace_and_store_data(block, sample, unused, nullptr, picture);
+  trace_and_store_data(block, sample, unused, {}, picture);
+}
+
+// samples: of each exposure.
+template <class Tracer>
+void store_parts(const Block<Tracer>& block, const PartTotals& parts, int samples,
+                 Picture& picture) {
+  if (!parts.are_wanted()) return;
+  std::array<Vec3f, SampleParts::most_columns> colors;
+  const std::span<Vec3f> of_pixel = std::span(colors).first(parts.size());
+  for_pixels(block, [&](int x, int y, int lane) {
+    parts.take(lane, samples, of_pixel);
+    picture.set_parts(x, y, of_pixel);
+  });
 }
 
 template <class Tracer>

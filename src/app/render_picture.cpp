@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/measured_block.h"
 #include "app/render_block.h"
 #include "app/signals.h"
 #include "film/exposures.h"
 #include "scene/error.h"
+#include "scene/light_groups.h"
 #include "scene/parallel.h"
 
 namespace restframe {
@@ -23,7 +25,7 @@ void add(RadianceLanes& sum, const RadianceLanes& radiance) {
 // The sum over the samples of one exposure; data layers are those of the very first sample.
 template <class Tracer>
 void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_data,
-                     RadianceLanes& sum, Picture& picture) {
+                     RadianceLanes& sum, PartTotals& parts, Picture& picture) {
   const CameraSampler& sampler = block.view.sampler;
   PacketId& id = block.id;
   const int bits = bits_for(samples);
@@ -34,16 +36,19 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
   CameraSampler::Starts starts;
   sampler.start(id, starts);
   for (int index = 0; index < samples; ++index) {
+    if (interrupt_requested()) throw Interrupted();
     id.sample = first + static_cast<std::uint32_t>(index);
     CameraSample sample;
     sampler.take(block.pixels, starts, index, sample);
     RadianceLanes next;
     RadianceLanes& radiance = index == 0 ? sum : next;
+    const SampleLayers layers{nullptr, block.covers, parts.sample()};
     if (with_data && id.sample == 0) {
-      trace_and_store_data(block, sample, radiance, block.covers, picture);
+      trace_and_store_data(block, sample, radiance, layers, picture);
     } else {
-      trace(block, exposure, sample, radiance, {nullptr, block.covers});
+      trace(block, exposure, sample, radiance, layers);
     }
+    if (parts.are_wanted()) parts.add_sample();
     if (index > 0) add(sum, next);
   }
 }
@@ -66,19 +71,21 @@ void render_block(Block<Tracer>& block, Picture& picture) {
   const PictureView& view = block.view;
   const bool data_apart = picture.has_data() && (view.sampler.spreads() || view.measured);
   if (data_apart) render_data(block, picture);
-  const bool all_samples = picture.has_beauty() || block.covers != nullptr;
+  const bool all_samples = picture.has_beauty() || picture.has_parts() || block.covers != nullptr;
   if (data_apart && !all_samples) return;
   if (view.measured) return render_measured(block, picture);
   const int samples = all_samples ? scene.render.samples : 1;
   const int exposures = all_samples ? scene.exposure.count : 1;
   ExposureTotal total(scene.exposure);
+  PartTotals parts(picture.part_columns(), scene.exposure);
   for (int exposure = 0; exposure < exposures; ++exposure) {
-    if (interrupt_requested()) throw Interrupted();
     RadianceLanes sum;
-    render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, picture);
+    render_exposure(block, exposure, samples, picture.has_data() && !data_apart, sum, parts,
+                    picture);
     total.add(sum, 1.0F / static_cast<float>(samples));
   }
   store(block, total.combined(), picture);
+  store_parts(block, parts, samples, picture);
   store_mattes(block, samples * exposures, picture);
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
@@ -134,15 +141,14 @@ std::size_t samples_a_pixel(const Scene& scene) {
 }
 
 bool measures_noise(const Scene& scene) {
-  const auto wants = [&](Layer layer) {
-    const std::vector<Layer>& layers = scene.output.layers;
-    return std::find(layers.begin(), layers.end(), layer) != layers.end();
-  };
-  return wants(Layer::beauty) && (scene.render.noise > 0.0 || wants(Layer::variance));
+  const OutputSettings& output = scene.output;
+  return has_layer(output.layers, Layer::beauty) &&
+         (scene.render.noise > 0.0 || has_layer(output.layers, Layer::variance));
 }
 
 Picture blank_picture(const Scene& scene) {
-  return {picture_window(scene.render), scene.output.layers, {scene.light_speed}};
+  return {
+      picture_window(scene.render), scene.output.layers, {scene.light_speed}, light_groups(scene)};
 }
 
 std::vector<Picture> blank_views(const Scene& scene) {
@@ -159,16 +165,25 @@ std::vector<PixelWindow> picture_tiles(const PixelWindow& window) {
   return tiles;
 }
 
-void render_picture(const RenderContext& context, int number, Picture& picture, Eye eye) {
+void render_tiles(const RenderContext& context, int number, std::span<const std::size_t> tiles,
+                  Picture& picture, TileMarks& done, Eye eye) {
   const PictureView view(context, number, picture.window(), eye);
-  const std::vector<PixelWindow> tiles = picture_tiles(picture.window());
+  const std::vector<PixelWindow> windows = picture_tiles(picture.window());
   std::visit(
       [&](const auto& integrator) {
-        parallel_for(tiles.size(), [&](std::size_t tile) {
-          render_tile(view, integrator, tiles[tile], picture);
+        parallel_for(tiles.size(), [&](std::size_t i) {
+          render_tile(view, integrator, windows[tiles[i]], picture);
+          done.mark(tiles[i]);
         });
       },
       context.integrator);
+}
+
+void render_picture(const RenderContext& context, int number, Picture& picture, Eye eye) {
+  TileMarks done(picture_tiles(picture.window()).size());
+  std::vector<std::size_t> all(done.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  render_tiles(context, number, all, picture, done, eye);
 }
 
 void render_views(const RenderContext& context, int number, std::vector<Picture>& views) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "app/evaluator_pool.h"
 #include "film/picture.h"
+#include "film/tile_marks.h"
 #include "scene/scene.h"
 #include "tracer/integrator.h"
 
@@ -32,6 +35,11 @@ std::vector<Picture> blank_views(const Scene& scene);
 
 // The parts of a picture that are rendered on their own, row by row.
 std::vector<PixelWindow> picture_tiles(const PixelWindow& window);
+
+// Writes the pixels of some of picture_tiles(), by their place there, and marks each that is done.
+// Otherwise like render_picture().
+void render_tiles(const RenderContext& context, int number, std::span<const std::size_t> tiles,
+                  Picture& picture, TileMarks& done, Eye eye = Eye::centre);
 
 // Writes every pixel of `picture`. The same bits for any number of threads. Throws Interrupted when a
 // signal came, and InputError where a formula gives no finite value.

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/contact_sheet.h"
-#include "app/picture_files.h"
+#include "app/resume.h"
 #include "app/video.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -16,23 +14,6 @@ namespace restframe {
 namespace {
 
 namespace fs = std::filesystem;
-
-void check_previews(const Show& show, const PictureRange& range, const std::vector<int>& to_make) {
-  std::size_t missing = 0;
-  fs::path first;
-  for (int number = range.first; number <= range.last; ++number) {
-    if (std::binary_search(to_make.begin(), to_make.end(), number)) continue;
-    const fs::path& preview = show.previews[static_cast<std::size_t>(number - range.first)];
-    std::error_code error;
-    if (fs::is_regular_file(preview, error)) continue;
-    if (missing++ == 0) first = preview;
-  }
-  if (missing == 0) return;
-  throw InputError(fmt::format(
-      "{}: missing, though its .exr is there{}; --video and --contact-sheet need the previews, and "
-      "--overwrite, or removing the .exr, makes them again",
-      first.string(), missing > 1 ? fmt::format(" ({} such pictures)", missing) : ""));
-}
 
 // One spelling for all that lead to the same place, whether there is a file or not.
 fs::path resolved(const fs::path& path) {
@@ -59,26 +40,22 @@ void check_writable(const fs::path& path) {
 
 }  // namespace
 
-Show planned_show(const RenderOptions& options, const Scene& scene, const PictureRange& range,
-                  const std::vector<int>& to_make) {
+Show planned_show(const RenderOptions& options, const Job& job) {
   Show show{options, {}, {}};
   if (!wants_show(options)) return show;
-  const auto& layers = scene.output.layers;
-  if (std::find(layers.begin(), layers.end(), Layer::beauty) == layers.end()) {
+  if (!has_previews(job.scene)) {
     throw InputError(
         "--video and --contact-sheet: output.layers lacks \"beauty\", so there is nothing to show");
   }
-  for (int number = range.first; number <= range.last; ++number) {
-    show.previews.push_back(picture_path(scene.output.path, number, range.first == range.last)
-                                .replace_extension(".png"));
+  for (const int number : job.numbers) {
+    show.previews.push_back(job.files(number).preview);
   }
-  check_previews(show, range, to_make);
   if (options.contact_sheet) {
     check_sheet(*options.contact_sheet, show);
     check_writable(*options.contact_sheet);
   }
   if (options.video) {
-    show.encoder = checked_encoder(*options.video, scene.animation.rate);
+    show.encoder = checked_encoder(*options.video, job.scene.animation.rate);
     check_writable(*options.video);
   }
   return show;

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/options.h"
-#include "scene/scene.h"
+#include "app/job.h"
 
 namespace restframe {
 
@@ -20,10 +19,8 @@ inline bool wants_show(const RenderOptions& options) {
 }
 
 // Finds out before hours of rendering what would fail after them: throws InputError or OutputError
-// where the files can not be made as asked. `to_make` are the pictures of the range that will be
-// rendered.
-Show planned_show(const RenderOptions& options, const Scene& scene, const PictureRange& range,
-                  const std::vector<int>& to_make);
+// where the files can not be made as asked.
+Show planned_show(const RenderOptions& options, const Job& job);
 
 // Makes what is wanted. Throws OutputError, InputError and Interrupted.
 void make_show(const Show& show, const Scene& scene);

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "app/number_ranges.h"
-
 namespace restframe {
 namespace {
 
@@ -44,12 +42,17 @@ std::string common_directives(const SlurmPlan& plan) {
   return text;
 }
 
+std::string words(const std::vector<std::string>& options) {
+  std::string text;
+  for (const std::string& option : options) text += ' ' + shell_word(option);
+  return text;
+}
+
 std::string command_line(const SlurmPlan& plan, const char* command) {
   std::string text =
       fmt::format("{} {} {} {}", shell_word(plan.program.string()), command,
                   shell_word(plan.scene.string()), shell_word("--output=" + plan.output));
-  for (const std::string& option : plan.passed_on) text += ' ' + shell_word(option);
-  return text;
+  return text + words(plan.passed_on);
 }
 
 // Slurm puts numbers in the place of what follows a %.
@@ -85,21 +88,19 @@ std::string slurm_job_name(const std::string& pattern) {
 std::string render_script(const SlurmPlan& plan) {
   std::string text = "#!/bin/sh\n";
   text += directive("--job-name=" + slurm_job_name(plan.output));
-  text += directive("--array=" + ranges_text(plan.tasks, ","));
+  text += directive(fmt::format("--array=0-{}", plan.tasks.size() - 1));
   text += directive(fmt::format("--cpus-per-task={}", plan.needs.cores));
   text += common_directives(plan);
   if (!plan.time.empty()) text += directive("--time=" + plan.time);
-  text +=
-      fmt::format(R"(
-first=$(({} + SLURM_ARRAY_TASK_ID * {}))
-last=$((first + {}))
-if [ "$last" -gt {} ]; then last={}; fi
-# Finished pictures are kept: a task that is requeued goes on where it was.
+  text += fmt::format(R"(
+# The pictures of each task, from task 0 on.
+set -- {}
+shift "$SLURM_ARRAY_TASK_ID"
+# Finished ones are kept: a task that is requeued goes on where it was.
 exec {} \
-  --threads="$SLURM_CPUS_PER_TASK" --pictures="$first-$last"{}
+  --threads="$SLURM_CPUS_PER_TASK" --pictures="$1"{}
 )",
-                  plan.range.first, plan.chunk, plan.chunk - 1, plan.range.last, plan.range.last,
-                  command_line(plan, "render"), plan.overwrite ? " --overwrite" : "");
+                      fmt::join(plan.tasks, " "), command_line(plan, "render"), words(plan.work));
   return text;
 }
 
@@ -108,8 +109,9 @@ std::string check_script(const SlurmPlan& plan) {
   text += directive("--job-name=" + slurm_job_name(plan.output) + "-check");
   text += directive("--cpus-per-task=1");
   text += common_directives(plan);
-  text += fmt::format("\nexec {} \\\n  --pictures={}-{}\n", command_line(plan, "status"),
-                      plan.range.first, plan.range.last);
+  text += "\nexec " + command_line(plan, "status");
+  if (!plan.pictures.empty()) text += ' ' + shell_word("--pictures=" + plan.pictures);
+  text += '\n';
   return text;
 }
 

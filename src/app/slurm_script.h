@@ -17,11 +17,10 @@ struct SlurmPlan {
   std::filesystem::path program, scene;  // absolute, as the nodes of the cluster see them, too
   std::string output;                    // the pattern, absolute
   std::filesystem::path folder;          // of scripts, logs and the record
-  std::vector<std::string> passed_on;    // further options of `restframe render`
-  PictureRange range;
-  int chunk = 1;           // task i: the chunk of pictures that begins at range.first + i * chunk
-  std::vector<int> tasks;  // those that have something to do
-  bool overwrite = false;  // of pictures that are there already
+  std::vector<std::string> passed_on;    // further options of the pictures ...
+  std::vector<std::string> work;         // ... and of how they are made
+  std::string pictures;            // to check afterwards, as `--pictures` takes them; empty: all
+  std::vector<std::string> tasks;  // the pictures of each, likewise
   JobNeeds needs;
   std::string memory, time, partition;  // of a task, as Slurm reads them; memory empty: as needed
   std::vector<std::string> directives;  // further options of sbatch

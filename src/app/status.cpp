@@ -7,7 +7,7 @@
 #include "app/child_process.h"
 #include "app/commands.h"
 #include "app/number_ranges.h"
-#include "app/picture_files.h"
+#include "app/resume.h"
 #include "app/slurm_queue.h"
 #include "app/slurm_script.h"
 #include "scene/error.h"
@@ -32,20 +32,19 @@ bool is_any_there(const PictureFiles& files) {
 
 PictureStates states_of(const Job& job) {
   PictureStates states;
-  int number = job.range.first;
-  for (const ExistingPicture& picture :
-       existing_pictures(job.scene, job.range.first, job.range.last)) {
-    if (picture.found == Found::the_same) {
+  const std::vector<FoundPicture> pictures = find_pictures(job);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const int number = job.numbers[i];
+    if (pictures[i].found == Found::finished) {
       states.finished.push_back(number);
-    } else if (picture.found == Found::another) {
-      if (states.difference.empty()) states.difference = picture.difference;
+    } else if (pictures[i].found == Found::another) {
+      if (states.difference.empty()) states.difference = pictures[i].difference;
       states.of_another_scene.push_back(number);
-    } else if (is_any_there(picture_files(job.scene, number, job.single()))) {
+    } else if (is_any_there(job.files(number))) {
       states.torn.push_back(number);
     } else {
       states.missing.push_back(number);
     }
-    ++number;
   }
   return states;
 }
@@ -70,9 +69,8 @@ std::optional<SlurmState> slurm_state(const std::string& pattern) {
 void print_text(const Job& job, const PictureStates& states,
                 const std::optional<SlurmState>& slurm) {
   const auto print = [](const std::string& line) { fmt::print("{}\n", on_one_line(line)); };
-  const int count = job.range.last - job.range.first + 1;
   print(fmt::format("{}: {} of {} pictures finished", job.scene.output.path, states.finished.size(),
-                    count));
+                    job.numbers.size()));
   const auto list = [&](const char* what, const std::vector<int>& numbers) {
     if (!numbers.empty()) print(fmt::format("{}: {}", what, ranges_text(numbers)));
   };
@@ -90,7 +88,7 @@ void print_text(const Job& job, const PictureStates& states,
 
 nlohmann::ordered_json json_of(const std::vector<int>& numbers) {
   auto list = nlohmann::ordered_json::array();
-  for (const auto& [first, last] : ranges_of(numbers)) list.push_back({first, last});
+  for (const PictureRange& range : ranges_of(numbers)) list.push_back({range.first, range.last});
   return list;
 }
 

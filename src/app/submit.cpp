@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "app/child_process.h"
 #include "app/commands.h"
+#include "app/info_words.h"
 #include "app/number_ranges.h"
-#include "app/picture_files.h"
+#include "app/resume.h"
 #include "app/slurm_queue.h"
 #include "app/slurm_script.h"
 #include "scene/atomic_file.h"
@@ -25,19 +27,16 @@ fs::path this_program() {
   return program;
 }
 
-std::vector<int> tasks_for(const std::vector<int>& numbers, int first, int chunk) {
-  std::vector<int> tasks;
-  for (const int number : numbers) {
-    const int task = (number - first) / chunk;
-    if (tasks.empty() || tasks.back() != task) tasks.push_back(task);
+// The pictures of each task: `chunk` of them; 0: as many as give no more than a hundred tasks.
+std::vector<std::string> tasks_for(std::span<const int> numbers, int chunk) {
+  constexpr std::size_t most_tasks = 100;
+  const std::size_t size =
+      chunk > 0 ? static_cast<std::size_t>(chunk) : (numbers.size() + most_tasks - 1) / most_tasks;
+  std::vector<std::string> tasks;
+  for (std::size_t i = 0; i < numbers.size(); i += size) {
+    tasks.push_back(ranges_text(numbers.subspan(i, std::min(size, numbers.size() - i)), ","));
   }
   return tasks;
-}
-
-int chunk_of(const SubmitOptions& options, const PictureRange& range) {
-  constexpr int most_tasks = 100;
-  const int count = range.last - range.first + 1;
-  return options.chunk > 0 ? std::min(options.chunk, count) : (count + most_tasks - 1) / most_tasks;
 }
 
 SlurmPlan plan_of(const SubmitOptions& options, const Job& job, const std::vector<int>& numbers) {
@@ -47,10 +46,9 @@ SlurmPlan plan_of(const SubmitOptions& options, const Job& job, const std::vecto
   plan.output = fs::absolute(job.scene.output.path).string();
   plan.folder = slurm_folder(plan.output);
   plan.passed_on = options.passed_on;
-  plan.range = job.range;
-  plan.chunk = chunk_of(options, job.range);
-  plan.tasks = tasks_for(numbers, job.range.first, plan.chunk);
-  plan.overwrite = options.render.overwrite;
+  plan.work = options.work;
+  plan.pictures = options.pictures;
+  plan.tasks = tasks_for(numbers, options.chunk);
   plan.needs = needs_of(job.scene, FrameSet(job.scene, thread_count()));
   if (options.render.threads > 0) plan.needs.cores = options.render.threads;
   plan.memory = options.memory;
@@ -76,9 +74,8 @@ void write_scripts(const SlurmPlan& plan) {
 }
 
 std::string pictures_text(const SlurmPlan& plan, std::size_t count) {
-  return fmt::format("{} {} of {}-{} in {} {} of {}", count, count == 1 ? "picture" : "pictures",
-                     plan.range.first, plan.range.last, plan.tasks.size(),
-                     plan.tasks.size() == 1 ? "task" : "tasks", plan.chunk);
+  return fmt::format("{} in {}", count_of(count, "picture", "pictures"),
+                     count_of(plan.tasks.size(), "task", "tasks"));
 }
 
 void print_command(const std::vector<std::string>& arguments) {
@@ -122,11 +119,9 @@ void submit_plan(const SlurmPlan& plan, const fs::path& sbatch, std::size_t coun
 
 int submit(const SubmitOptions& options, const ImportLimits& limits) {
   const Job job = loaded_job(options.render, limits);
-  const std::vector<int> numbers =
-      pictures_to_make(job.scene, job.range.first, job.range.last, options.render.overwrite);
+  const std::vector<int> numbers = pictures_to_make(job, options.render.overwrite);
   if (numbers.empty()) {
-    fmt::print("all {} pictures are there already; nothing was submitted\n",
-               job.range.last - job.range.first + 1);
+    fmt::print("all {} pictures are there already; nothing was submitted\n", job.numbers.size());
     return 0;
   }
   check_folder(slurm_folder(fs::absolute(job.scene.output.path).string()));

@@ -37,7 +37,7 @@ constexpr std::array position_channels{
     DataChannel{"P.Z", ChannelKind::plain, 0.0,
                 [](Data d, Units u) { return d.position.z * u.light_speed; }}};
 
-// Blender reads layers of three channels with these letters, and misreads any of two.
+// Blender reads layers of three channels, and misreads those of two: A tells where a surface is.
 constexpr std::array uv_channels{
     DataChannel{"UV.U", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.x); }},
     DataChannel{"UV.V", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.y); }},
@@ -60,6 +60,11 @@ constexpr std::array apparent_normal_channels{
     DataChannel{"normal.Z", ChannelKind::plain, 0.0,
                 [](Data d, Units) { return d.apparent_normal.z; }}};
 
+constexpr std::array motion_channels{
+    DataChannel{"motion.U", ChannelKind::plain, 0.0, [](Data d, Units) { return d.motion.x; }},
+    DataChannel{"motion.V", ChannelKind::plain, 0.0, [](Data d, Units) { return d.motion.y; }},
+    DataChannel{"motion.A", ChannelKind::plain, 0.0, [](Data, Units) { return 1.0; }}};
+
 using Statistics = const SampleStatistics&;
 
 float within_float(float value) {
@@ -74,8 +79,22 @@ constexpr std::array variance_channels{
 constexpr std::array sample_channels{
     StatisticChannel{"samples.V", [](Statistics s) { return static_cast<float>(s.samples); }}};
 
+constexpr LayerInfo part(Layer layer, const char* name, int column) {
+  return {layer, name, {}, {}, {}, column};
+}
+constexpr LayerInfo part(Layer layer, const char* name, LightWay way) {
+  return part(layer, name, static_cast<int>(way));
+}
+
 constexpr std::array table{
     LayerInfo{Layer::beauty, "beauty", {}},
+    part(Layer::emission, "emission", LightWay::emission),
+    part(Layer::direct, "direct", LightWay::direct),
+    part(Layer::indirect, "indirect", LightWay::indirect),
+    part(Layer::reflection, "reflection", LightWay::reflection),
+    part(Layer::transmission, "transmission", LightWay::transmission),
+    part(Layer::lights, "lights", SampleParts::rest_of_lights),
+    part(Layer::albedo, "albedo", SampleParts::albedo),
     LayerInfo{Layer::z, "Z", distance_channels},
     LayerInfo{Layer::depth, "depth", depth_channels},
     LayerInfo{Layer::time, "time", time_channels},
@@ -85,6 +104,7 @@ constexpr std::array table{
     LayerInfo{Layer::position, "P", position_channels},
     LayerInfo{Layer::uv, "UV", uv_channels},
     LayerInfo{Layer::id, "id", id_channels},
+    LayerInfo{Layer::motion, "motion", motion_channels},
     LayerInfo{Layer::variance, "variance", {}, variance_channels},
     LayerInfo{Layer::samples, "samples", {}, sample_channels},
     LayerInfo{Layer::crypto_object, "crypto_object", {}, {}, MatteKind::object},
@@ -105,6 +125,15 @@ std::vector<Channel> channels_of(std::span<const Layer> layers,
     channels.insert(channels.end(), own.begin(), own.end());
   }
   return channels;
+}
+
+// The layer of what belongs to no group comes first, as its column does.
+void add_light_layers(std::span<const std::string> groups, std::vector<PartLayer>& layers) {
+  int column = SampleParts::rest_of_lights;
+  layers.push_back({std::string("light_") + rest_of_lights, column});
+  for (const std::string& group : groups.first(std::min(groups.size(), most_light_groups))) {
+    layers.push_back({"light_" + group, ++column});
+  }
 }
 
 }  // namespace
@@ -140,7 +169,7 @@ bool is_light(const std::string& layer_name) {
   const auto* info = std::find_if(table.begin(), table.end(), [&](const LayerInfo& layer) {
     return layer_name == layer.scene_name;
   });
-  return info != table.end() && info->layer == Layer::beauty;
+  return info != table.end() && (info->layer == Layer::beauty || info->column != no_column);
 }
 
 std::vector<DataChannel> data_channels(std::span<const Layer> layers) {
@@ -149,6 +178,20 @@ std::vector<DataChannel> data_channels(std::span<const Layer> layers) {
 
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers) {
   return channels_of(layers, &LayerInfo::statistics);
+}
+
+std::vector<PartLayer> part_layers(std::span<const Layer> layers,
+                                   std::span<const std::string> groups) {
+  std::vector<PartLayer> parts;
+  for (const LayerInfo& info : table) {
+    if (info.column == no_column || !is_among(info.layer, layers)) continue;
+    if (info.layer == Layer::lights) {
+      add_light_layers(groups, parts);
+    } else {
+      parts.push_back({info.scene_name, info.column});
+    }
+  }
+  return parts;
 }
 
 std::vector<LayerInfo> matte_layers(std::span<const Layer> layers) {

@@ -5,10 +5,13 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "scene/settings.h"
 #include "tracer/cover_counts.h"
 #include "tracer/sample.h"
+#include "tracer/sample_parts.h"
 
 namespace restframe {
 
@@ -42,12 +45,23 @@ struct StatisticChannel {
   float (*value)(const SampleStatistics&);
 };
 
+// A colour that is added up over samples: three channels.
+struct PartLayer {
+  std::string exr_name;  // before .R, .G and .B
+  int column = 0;        // of SampleParts
+};
+
+inline constexpr int no_column = -1;
+
 struct LayerInfo {
   Layer layer;
   const char* scene_name;                             // in the scene file's output.layers
   std::span<const DataChannel> channels;              // empty for the beauty
   std::span<const StatisticChannel> statistics = {};  // of the beauty
   std::optional<MatteKind> matte = {};                // Cryptomatte's channels, by scene_name
+  // Of SampleParts, whose layer is called as in the scene file; of the light groups: the first, and
+  // there are as many layers as groups.
+  int column = no_column;
 };
 
 std::span<const LayerInfo> layer_table();
@@ -63,6 +77,9 @@ bool is_light(const std::string& layer_name);
 // The channels of these layers, in the table's order.
 std::vector<DataChannel> data_channels(std::span<const Layer> layers);
 std::vector<StatisticChannel> statistic_channels(std::span<const Layer> layers);
+// groups: of the scene's lights, but for the rest.
+std::vector<PartLayer> part_layers(std::span<const Layer> layers,
+                                   std::span<const std::string> groups);
 
 // Those of these layers that are mattes, likewise.
 std::vector<LayerInfo> matte_layers(std::span<const Layer> layers);

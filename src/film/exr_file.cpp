@@ -17,6 +17,7 @@
 #include <cstring>
 #include <span>
 
+#include "film/exr_check.h"
 #include "film/exr_header.h"
 #include "film/stored_picture.h"
 #include "scene/atomic_file.h"
@@ -40,7 +41,7 @@ class MemoryStream : public Imf::OStream {
   std::uint64_t tellp() override { return position_; }
   void seekp(std::uint64_t position) override { position_ = position; }
 
-  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(bytes_)); }
+  std::span<std::byte> bytes() { return std::as_writable_bytes(std::span(bytes_)); }
 
  private:
   std::vector<char> bytes_;
@@ -231,24 +232,12 @@ WriteReport write_exr(const std::filesystem::path& path, std::span<const Picture
     MemoryInput input(stream.bytes());
     Imf::MultiPartInputFile file(input);
     if (!is_complete(file)) throw OutputError("the picture is not complete");
+    seal_exr(stream.bytes());
   } catch (const std::exception& error) {
     throw OutputError(path.string() + ": " + error.what());
   }
   write_file_atomically(path, stream.bytes());
   return report;
-}
-
-std::string exr_text(const std::filesystem::path& path, const std::string& name) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return {};
-  try {
-    Imf::MultiPartInputFile file(path.c_str());
-    const auto* text = file.header(0).findTypedAttribute<Imf::StringAttribute>(name);
-    if (text == nullptr || !is_complete(file)) return {};
-    return text->value();
-  } catch (const std::exception&) {
-    return {};  // torn or of another kind: to the caller as good as not there
-  }
 }
 
 }  // namespace restframe

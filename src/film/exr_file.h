@@ -67,7 +67,4 @@ inline WriteReport write_exr(const std::filesystem::path& path, const Picture& p
   return write_exr(path, {&picture, 1}, info);
 }
 
-// The text attribute `name` of a complete EXR; empty where the file is missing, torn, or has none.
-std::string exr_text(const std::filesystem::path& path, const std::string& name);
-
 }  // namespace restframe

@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+#include "film/exr_check.h"
+
 namespace restframe {
 namespace {
 
@@ -142,6 +144,7 @@ Imf::Header exr_header(const PixelWindow& window, const PictureInfo& info, const
   header.insert("objectNames", Imf::StringVectorAttribute(info.object_names));
   header.insert("materialNames", Imf::StringVectorAttribute(info.material_names));
   for (const auto& [name, text] : info.texts) header.insert(name, Imf::StringAttribute(text));
+  header.insert(seal_attribute, Imf::StringAttribute(no_seal));
   return header;
 }
 

@@ -1,10 +1,13 @@
 #include "film/picture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace restframe {
 
-Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units)
+Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units,
+                 std::span<const std::string> groups)
     : window_(window),
       units_(units),
       data_(data_channels(layers)),
@@ -20,6 +23,13 @@ Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const
     mattes_.push_back(*matte.matte);
     for (std::string& name : matte_channels(matte.scene_name)) {
       add_plane(std::move(name), ChannelKind::plain);
+    }
+  }
+  first_part_ = planes_.size();
+  for (const PartLayer& part : part_layers(layers, groups)) {
+    part_columns_.push_back(part.column);
+    for (const char* color : {".R", ".G", ".B"}) {
+      add_plane(part.exr_name + color, ChannelKind::plain);
     }
   }
 }
@@ -68,6 +78,18 @@ void Picture::set_matte(int x, int y, MatteKind kind, const MatteRanks& ranks) {
   for (const MatteRank& rank : ranks) {
     (plane++)->values[index(x, y)] = rank.id;
     (plane++)->values[index(x, y)] = rank.coverage;
+  }
+}
+
+// Within what a float holds, as the beauty.
+void Picture::set_parts(int x, int y, std::span<const Vec3f> colors) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  Plane* plane = planes_.data() + first_part_;
+  for (const Vec3f& color : colors) {
+    for (int i = 0; i < 3; ++i) {
+      const float value = std::isnan(color[i]) ? 0.0F : glm::clamp(color[i], -largest, largest);
+      (plane++)->values[index(x, y)] = value;
+    }
   }
 }
 

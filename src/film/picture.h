@@ -23,7 +23,9 @@ struct Plane {
 // The pixels of one picture, row by row from the top. Each pixel is written by one thread.
 class Picture {
  public:
-  Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units);
+  // groups: of the scene's lights, for the layers of their light.
+  Picture(const PixelWindow& window, std::span<const Layer> layers, const DataUnits& units,
+          std::span<const std::string> groups = {});
 
   const PixelWindow& window() const { return window_; }
   int width() const { return window_.width; }
@@ -34,8 +36,18 @@ class Picture {
   bool has_data() const { return !data_.empty(); }
   bool has_statistics() const { return !statistics_.empty(); }
   const std::vector<MatteKind>& mattes() const { return mattes_; }
+  bool has_parts() const { return !part_columns_.empty(); }
+  // Of SampleParts: what is asked for.
+  std::span<const int> part_columns() const { return part_columns_; }
   const AlignedVector<Vec4f>& rgba() const { return rgba_; }
+  AlignedVector<Vec4f>& rgba() { return rgba_; }
   const std::vector<Plane>& planes() const { return planes_; }
+  std::vector<Plane>& planes() { return planes_; }
+  // Where a pixel of the window is in these.
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - window_.top) * static_cast<std::size_t>(window_.width) +
+           static_cast<std::size_t>(x - window_.left);
+  }
 
   // All pixels (x, y) must lie in the window; a row is those from (x, y) on to the right.
   void set_radiance_row(int x, int y, std::span<const Vec4f> pixels) {
@@ -47,12 +59,10 @@ class Picture {
   void set_data(int x, int y, const SurfaceData& data);
   void set_statistics(int x, int y, const SampleStatistics& statistics);
   void set_matte(int x, int y, MatteKind kind, const MatteRanks& ranks);
+  // A colour for each of part_columns().
+  void set_parts(int x, int y, std::span<const Vec3f> colors);
 
  private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - window_.top) * static_cast<std::size_t>(window_.width) +
-           static_cast<std::size_t>(x - window_.left);
-  }
   void add_plane(std::string name, ChannelKind kind);
 
   PixelWindow window_;
@@ -61,7 +71,9 @@ class Picture {
   std::vector<DataChannel> data_;
   std::vector<StatisticChannel> statistics_;
   std::vector<MatteKind> mattes_;
-  std::vector<Plane> planes_;  // of the data, then of the statistics, then of the mattes
+  std::vector<int> part_columns_;
+  std::size_t first_part_ = 0;  // among the planes
+  std::vector<Plane> planes_;   // of the data, the statistics, the mattes, then the parts
 };
 
 }  // namespace restframe

@@ -1,5 +1,9 @@
 #include "film/png_preview.h"
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "film/srgb_bytes.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -53,6 +57,30 @@ void write_png(const std::filesystem::path& path, int width, int height,
     throw OutputError(path.string() + ": the picture can not be encoded as PNG");
   }
   write_file_atomically(path, file);
+}
+
+// A PNG is a row of chunks, each with its length in front of its type, data and checksum; the last one is
+// empty and of a type of its own.
+bool is_whole_png(const std::filesystem::path& path) {
+  using namespace std::string_literals;
+  const std::string signature = "\x89PNG\r\n\x1a\n";
+  const std::string end = "\0\0\0\0IEND\xae\x42\x60\x82"s;
+  constexpr std::size_t around = 12;  // bytes of a chunk besides its data
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!bytes.starts_with(signature) || !bytes.ends_with(end)) return false;
+  std::size_t at = signature.size();
+  while (bytes.size() - at > end.size()) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+    }
+    if (bytes.size() - at - around < length) return false;
+    at += around + length;
+  }
+  return bytes.size() - at == end.size();
 }
 
 }  // namespace restframe

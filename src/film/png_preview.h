@@ -17,4 +17,7 @@ void write_png(const std::filesystem::path& path, const Picture& picture,
 void write_png(const std::filesystem::path& path, int width, int height,
                std::span<const std::uint8_t> rgb);
 
+// Whether a file is a PNG from its beginning to its end.
+bool is_whole_png(const std::filesystem::path& path);
+
 }  // namespace restframe

@@ -9,6 +9,7 @@
 
 namespace restframe {
 
+using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 using Mat3 = glm::dmat3;
 using Mat4 = glm::dmat4;

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -11,6 +10,7 @@
 
 #include "scene/error.h"
 #include "scene/file_names.h"
+#include "scene/temporary_files.h"
 
 namespace restframe {
 namespace {
@@ -55,31 +55,16 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(target_of(path)) {
   check_replaceable(path_);
   create_folders(path_);
   buffer_.reserve(buffer_size);
-  create_temporary();
+  TemporaryFile file = create_temporary(folder_of(path_));
+  if (file.descriptor < 0) fail(errno);
+  temporary_ = std::move(file.path);
+  descriptor_ = file.descriptor;
 }
 
 AtomicFile::~AtomicFile() {
   // Nobody is left to tell if these fail, and nothing under the final name depends on them.
+  if (!temporary_.empty()) remove_temporary(temporary_);
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
-}
-
-void AtomicFile::create_temporary() {
-  static std::atomic<unsigned> counter{0};
-  constexpr int attempts =
-      1000;  // another machine on the same folder may have the same process number
-  for (int i = 0; i < attempts; ++i) {
-    const std::string name =
-        ".restframe-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
-    fs::path candidate = folder_of(path_) / name;
-    descriptor_ = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) {
-      temporary_ = std::move(candidate);
-      return;
-    }
-    if (errno != EEXIST && errno != EINTR) fail(errno);
-  }
-  fail(EEXIST);
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
@@ -112,9 +97,11 @@ void AtomicFile::commit() {
   buffer_.clear();
   if (::fsync(descriptor_) != 0) fail(errno);
   const int closing = descriptor_;
-  descriptor_ = -1;  // closed even if close() reports a failed write
-  if (::close(closing) != 0) fail(errno);
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+  descriptor_ = ::fcntl(closing, F_DUPFD_CLOEXEC, 0);  // keeps the lock until the file has its name
+  const int lock_error = descriptor_ < 0 ? errno : 0;
+  if (::close(closing) != 0) fail(errno);  // it is closed even then
+  if (lock_error != 0) fail(lock_error);
+  if (!publish_temporary(temporary_, path_)) fail(errno);
   temporary_.clear();
 }
 

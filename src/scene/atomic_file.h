@@ -1,7 +1,7 @@
 #pragma once
 
 // Files that are there whole or not at all: written beside under a name of their own, closed,
-// checked, then renamed.
+// checked, then renamed. Any number of processes may write the same file: the last one's is there.
 
 #include <cstddef>
 #include <filesystem>
@@ -32,7 +32,6 @@ class AtomicFile {
   void commit();
 
  private:
-  void create_temporary();
   void write_through(std::span<const std::byte> bytes);
   [[noreturn]] void fail(int error_number) const;
 

@@ -44,6 +44,11 @@ struct StereoSettings {
 
 enum class Eye : std::uint8_t { centre, left, right };
 
+// As OpenEXR calls it; empty for the centre.
+inline const char* eye_name(Eye eye) {
+  return eye == Eye::left ? "left" : eye == Eye::right ? "right" : "";
+}
+
 // A perspective camera. In uniform motion, its clock shows 0 at the worldline's reference.
 struct Camera {
   CameraMotion motion;

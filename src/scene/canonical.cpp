@@ -109,6 +109,7 @@ void add_spectrum(Listing& list, const EmissionSpectrum& spectrum, const std::st
 
 void add_material(Listing& list, const Material& m, const std::string& key) {
   list.add(key + ".name", m.name);
+  if (!m.group.empty()) list.add(key + ".group", m.group);
   for (const NumberProperty& property : number_properties) {
     add_number(list, fmt::format("{}.{}", key, property.name), m.*property.member);
   }

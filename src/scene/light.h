@@ -45,7 +45,7 @@ struct Light {
   // none. How the map is turned in the light's rest frame: a rotation.
   int sky_map = -1;
   Mat3 rest_from_map{1};
-  std::string group;
+  std::string group;  // names a layer
 };
 
 }  // namespace restframe

@@ -64,6 +64,7 @@ struct Material {
   float alpha_cutoff = 0.5F;
   bool double_sided = false;  // else its back faces are not seen
   bool unlit = false;
+  std::string group;  // of lights, if it shines: names a layer
 };
 
 // The index of refraction that stands for glTF's 0: the dielectric reflects all that it meets, but

@@ -30,16 +30,14 @@ void check_noise(const Scene& scene, Faults& faults) {
   if (!(noise >= 0 && noise <= 1)) {
     faults.push_back(fmt::format("render: noise is {}, must be from 0 to 1", noise));
   }
-  const std::vector<Layer>& layers = scene.output.layers;
-  const auto wants = [&](Layer layer) {
-    return std::find(layers.begin(), layers.end(), layer) != layers.end();
-  };
-  const bool statistics = wants(Layer::variance) || wants(Layer::samples);
-  if (statistics && !wants(Layer::beauty)) {
+  const OutputSettings& output = scene.output;
+  const bool statistics =
+      has_layer(output.layers, Layer::variance) || has_layer(output.layers, Layer::samples);
+  if (statistics && !has_layer(output.layers, Layer::beauty)) {
     faults.push_back(
         "output: the layers \"variance\" and \"samples\" tell of the beauty; add \"beauty\"");
   }
-  if (!(noise > 0) && !wants(Layer::variance)) return;
+  if (!(noise > 0) && !has_layer(output.layers, Layer::variance)) return;
   const char* what = noise > 0 ? "render: noise" : "output: the layer \"variance\"";
   if (scene.render.samples < least_measured_samples) {
     faults.push_back(fmt::format("{} needs samples to be at least {}, it is {}", what,
@@ -215,6 +213,7 @@ Worldline at_rest_on(const Object& object, const Vec3& offset) {
 std::vector<std::string> validate(const Scene& scene) {
   Faults faults;
   check_settings(scene, faults);
+  validate_layers(scene, faults);
   validate_exposure(scene.exposure, faults);
   if (scene.camera_given) validate_camera(scene.camera, faults);
   if (scene.camera_given) validate_lens(scene.camera, faults);

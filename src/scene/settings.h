@@ -103,7 +103,15 @@ enum class Layer : std::uint8_t {
   apparent_normal,
   crypto_object,
   crypto_material,
-  crypto_asset
+  crypto_asset,
+  emission,
+  direct,
+  indirect,
+  reflection,
+  transmission,
+  lights,
+  albedo,
+  motion,
 };
 
 enum class Compression : std::uint8_t { none, rle, zips, zip, piz, pxr24, dwaa, dwab, b44, b44a };

@@ -154,7 +154,10 @@ void validate_poses(const Scene& scene, Faults& faults) {
   // So many exposures that this would last are left to the rendering.
   const bool few = 1.0 * scene.animation.pictures * scene.exposure.count <= 1e6;
   const int exposures = few ? scene.exposure.count : 1;
-  for (int picture = 0; picture < scene.animation.pictures; ++picture) {
+  // Motion is told from where the picture after the last would see things.
+  const int pictures =
+      scene.animation.pictures + (has_layer(scene.output.layers, Layer::motion) ? 1 : 0);
+  for (int picture = 0; picture < pictures; ++picture) {
     const double opening = scene.animation.start + picture / scene.animation.rate;
     for (int i = 0; i < exposures; ++i) {
       const auto fault = pose_fault(scene.camera, opening + i * scene.exposure.interval);

@@ -29,6 +29,8 @@ void validate_worldline(const Worldline& worldline, const std::string& name,
                         std::vector<std::string>& faults);
 void validate_camera(const Camera& camera, std::vector<std::string>& faults);
 void validate_lens(const Camera& camera, std::vector<std::string>& faults);
+// Layers that others exclude, and groups of lights.
+void validate_layers(const Scene& scene, std::vector<std::string>& faults);
 // The camera at the time of each picture: for scenes without other faults.
 void validate_poses(const Scene& scene, std::vector<std::string>& faults);
 

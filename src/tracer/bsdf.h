@@ -138,6 +138,10 @@ float scattering_density(const Bsdf& bsdf, const Vec3f& direction);
 void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
                         const Vec3fLanes& direction, Vec3fLanes& fraction, Lanes<float>& density);
 
+// Of one surface, the part of it that the diffuse lobe and fibres scatter.
+Vec3f matte_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes, int lane,
+                     const Vec3f& direction);
+
 // The fraction that a clear coat of this strength reflects in all, away from what is below it.
 float coat_reflection(float coat, float coat_alpha, float cos_view);
 

@@ -69,14 +69,6 @@ Fraction off_coat(const Bsdf& b, const ViewLayers& layers, const Vec3f& directio
           layers.coat * facets.density};
 }
 
-Fraction off_fibres(const Bsdf& b, const ViewLobe& lobe, const ViewLayers& layers,
-                    const Vec3f& direction) {
-  if (layers.fibres == 0.0F) return {};
-  const float scattered =
-      fibre_fraction({b.normal, b.view, b.layers.sheen_alpha, lobe.cos_view}, direction);
-  return {b.layers.sheen * (layers.fibre_gain * scattered), layers.fibres / (2.0F * pi)};
-}
-
 void add(Fraction& sum, const Fraction& more) {
   sum.fraction += more.fraction;
   sum.density += more.density;
@@ -127,6 +119,14 @@ Vec3f glass_reflectance(const Bsdf& b, float cos_half) {
 float coat_reflection(float coat, float coat_alpha, float cos_view) {
   const FacetAlbedo albedo = facet_albedo(facet_albedo_table(), cos_view, coat_alpha);
   return coat_gain(coat, albedo) * coat_share(albedo);
+}
+
+Fraction off_fibres(const Bsdf& b, const ViewLobe& lobe, const ViewLayers& layers,
+                    const Vec3f& direction) {
+  if (layers.fibres == 0.0F) return {};
+  const float scattered =
+      fibre_fraction({b.normal, b.view, b.layers.sheen_alpha, lobe.cos_view}, direction);
+  return {b.layers.sheen * (layers.fibre_gain * scattered), layers.fibres / (2.0F * pi)};
 }
 
 ViewLayers view_layers(const Bsdf& b, ViewLobe& lobe) {

@@ -53,6 +53,10 @@ struct Way;
 Way layered_way(const Bsdf& bsdf, const ViewLobe& lobe, const ViewLayers& layers,
                 const Vec3f& numbers);
 
+// Of what they add, what fibres scatter of light from above.
+Fraction off_fibres(const Bsdf& bsdf, const ViewLobe& lobe, const ViewLayers& layers,
+                    const Vec3f& direction);
+
 // All that layered surfaces add to the plain one's.
 Fraction layers_fraction(const Bsdf& bsdf, const ViewLobe& lobe, const ViewLayers& layers,
                          const Vec3f& direction);

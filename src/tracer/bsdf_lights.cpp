@@ -38,6 +38,16 @@ float scattering_density(const Bsdf& bsdf, const Vec3f& direction) {
   return whole(bsdf, direction).density;
 }
 
+Vec3f matte_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes, int lane,
+                     const Vec3f& direction) {
+  const float cos_light = glm::dot(bsdf.normal.at(lane), direction);
+  if (!(cos_light > 0.0F && glm::dot(bsdf.facet.at(lane), direction) > 0.0F)) return Vec3f(0);
+  const Vec3f diffuse = lobes.diffuse.at(lane) * cos_light;
+  if (!bsdf.layered || !bsdf.layers.any(lane)) return diffuse;
+  return diffuse +
+         off_fibres(bsdf.at(lane), lobes.at(lane), lobes.layers[lane], direction).fraction;
+}
+
 RESTFRAME_CLONES void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
   const FacetAlbedoTable& table = facet_albedo_table();
 #pragma GCC ivdep

@@ -31,13 +31,15 @@ class ExposedCamera {
   // Of the ray of `lane` through the middle of the lens.
   CameraSight sight(int exposure, const CameraSample& sample, int lane) const;
 
- private:
+  // Where it is at a time of its own, and how it maps directions to the film. Throws as pose_at.
   struct Moment {
     double time;
     CameraPose pose;
     Projection projection;
   };
   Moment moment_at(double time) const;
+
+ private:
   void steady_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
   void changing_rays(const Moment& opening, const CameraSample& sample, RayPacket& rays) const;
 

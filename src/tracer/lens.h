@@ -7,8 +7,6 @@
 
 namespace restframe {
 
-using Vec2 = glm::dvec2;
-
 // The unit square's points spread evenly over the unit disc, squares to rings, so that what is well
 // distributed stays so (Shirley and Chiu 1997).
 inline Vec2 on_unit_disc(double u, double v) {

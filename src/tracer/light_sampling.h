@@ -38,6 +38,7 @@ struct IncidentLanes {
   // Where spectra matter: whose it is (an index into SceneSpectra), and its temperature, if it has one.
   Lanes<std::int32_t> spectrum;
   Lanes<float> kelvin;
+  Lanes<std::int32_t> group;  // where parts of light are asked for: whose it is, by LightGroups
   Lanes<std::int32_t> active;
 };
 

@@ -96,6 +96,7 @@ void PathWalk::set_radiance(const EmitterPoints& points, const PointsSeen& seen,
     from.irradiance.set(lane, radiance * factor);
     if (radiance == Vec3f(0)) from.active[lane] = 0;
     if (stage_.spectra.matters && from.active[lane] != 0) set_spectrum(met, seen, from);
+    from.group[lane] = stage_.group_of_material(points.surfaces.material[lane]);
   }
 }
 
@@ -166,6 +167,7 @@ void PathWalk::add_sky(const Environment& sky, const LitLanes& lit, const ViewLo
                     {stage_.scene.light_speed, stage_.scene.render.beaming}, u, v, evaluator_, from,
                     density);
   if (stage_.spectra.matters) from.spectrum.fill(stage_.spectrum_of(sky.place));
+  if (parts_.are_wanted()) from.group.fill(stage_.group_of(sky.place));
   add_sampled(from, density, lit, lobes);
 }
 

@@ -40,6 +40,7 @@ RESTFRAME_CLONES void PathWalk::add_light(const LightPlace& light, const LitLane
   incident(light, vertices_.at.event, lit, {stage_.scene.light_speed, stage_.scene.render.beaming},
            evaluator_, from_light);
   if (stage_.spectra.matters) from_light.spectrum.fill(stage_.spectrum_of(light));
+  if (parts_.are_wanted()) from_light.group.fill(stage_.group_of(light));
   Vec3fLanes fraction;
   Lanes<float> by_chance;
   scattered_fraction(vertices_.bsdf, lobes, from_light.direction, fraction, by_chance);
@@ -97,6 +98,7 @@ RESTFRAME_CLONES void PathWalk::add_arriving(const IncidentLanes& from_light, co
     paths_.radiance.y[i] += lights ? arriving.y[i] * left[i] : 0.0F;
     paths_.radiance.z[i] += lights ? arriving.z[i] * left[i] : 0.0F;
   }
+  if (parts_.are_wanted()) note_arriving(from_light, fraction, arriving, reached, left);
   if (has_lines) receive_lines(from_light, fraction, reached, left);
 }
 

@@ -66,6 +66,7 @@ void PathWalk::scatter_on() {
 }
 
 void PathWalk::follow(int lane, const ScatteredLanes& scattered) {
+  if (parts_.are_wanted()) note_scattering(lane, scattered);
   weigh(lane, scattered.weight.at(lane));
   if (!survives(lane)) return;
   const bool through = scattered.through[lane] != 0;

@@ -47,11 +47,21 @@ void PathWalk::choose_wavelengths(const PacketId& id) {
     }
     by_wavelength_.hero[lane] = hero;
     by_wavelength_.wavelength.set(lane, wavelength);
+    if (parts_.are_wanted()) parts_.set_wavelengths(lane, color_from_lanes(hero));
   }
   by_wavelength_.omega.fill(0.0);
   by_wavelength_.color = {};
   by_wavelength_.direct.fill(-1);
   if (follows_lines()) history_.clear();
+}
+
+// What the three lanes of a path's light are shown as.
+glm::mat3 PathWalk::color_from_lanes(float hero) const {
+  glm::mat3 colors;
+  for (int i = 0; i < 3; ++i) {
+    colors[i] = stage_.spectra.observer.sample(chooser(hero, i)).rgb * (1.0F / 3.0F);
+  }
+  return colors;
 }
 
 RESTFRAME_CLONES void PathWalk::take_radiance(RadianceLanes& radiance) const {
@@ -111,27 +121,29 @@ void PathWalk::by_wavelength(const IncidentLanes& from_light, const Vec3fLanes& 
   }
 }
 
-bool PathWalk::receive_direct(int lane, const Vec3f& color, double omega) {
+bool PathWalk::receive_direct(int lane, const Vec3f& color, double omega, std::int32_t group) {
   if (!stage_.spectra.shifted || by_wavelength_.direct[lane] == 0) return false;
   const Vec3f seen = (*stage_.spectra.shifted)(color, 1.0 / omega);
   by_wavelength_.color.set(lane, by_wavelength_.color.at(lane) + seen);
+  if (parts_.are_wanted()) parts_.receive_straight(lane, group, seen);
   return true;
 }
 
 void PathWalk::receive_from_sky(const Environment& sky, int lane, const Vec3f& color) {
-  if (!stage_.spectra.matters) return receive(lane, color);
   const LightPlace& place = sky.place;
+  const std::int32_t group = stage_.group_of(place);
+  if (!stage_.spectra.matters) return receive(lane, color, group);
   const EmitterSpectrum& spectrum = stage_.spectra[stage_.spectrum_of(place)];
   const double omega = -place.frame.from_world(rays_.k.at(lane)).t;
-  if (spectrum.is_daylight() && receive_direct(lane, color, omega)) return;
+  if (spectrum.is_daylight() && receive_direct(lane, color, omega, group)) return;
   const TemporalNumber& temperature = place.light->temperature;
   float kelvin = temperature.value;
   if (temperature.function != no_function) {
     const double clock = place.frame(rays_.origin.at(lane)).t + place.clock_at_anchor;
     kelvin = evaluator_(temperature, clock);
   }
-  receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega));
-  if (follows_lines()) receive_lines(lane, spectrum, color, omega);
+  receive(lane, light_by_wavelength(lane, spectrum, color, kelvin, omega), group);
+  if (follows_lines()) receive_lines(lane, spectrum, color, omega, group);
 }
 
 // What is left of it on its way to the vertices that are reached.
@@ -139,14 +151,19 @@ void PathWalk::receive_lines(const IncidentLanes& from_light, const Vec3fLanes& 
                              const Lanes<std::int32_t>& reached, const Lanes<float>& left) {
   for (int lane = 0; lane < packet_size; ++lane) {
     if (reached[lane] == 0 || left[lane] <= 0.0F) continue;
-    const Vec3f scattered = fraction.at(lane);
+    LobeSplit scattered{};
+    scattered.all = fraction.at(lane);
+    if (parts_.are_wanted()) {
+      scattered = lobe_split(lane, from_light.direction.at(lane), fraction.at(lane), false);
+    }
     receive_lines(lane, stage_.spectra[from_light.spectrum[lane]],
-                  from_light.irradiance.at(lane) * left[lane], from_light.omega[lane], &scattered);
+                  from_light.irradiance.at(lane) * left[lane], from_light.omega[lane],
+                  parts_.are_wanted() ? from_light.group[lane] : 0, &scattered);
   }
 }
 
 void PathWalk::receive_lines(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
-                             double omega, const Vec3f* scattered) {
+                             double omega, std::int32_t group, const LobeSplit* scattered) {
   const SpectrumTable& table = stage_.spectra.table;
   Vec3f sum = by_wavelength_.color.at(lane);
   for (const EmitterSpectrum::Line& line : spectrum.lines()) {
@@ -158,9 +175,11 @@ void PathWalk::receive_lines(int lane, const EmitterSpectrum& spectrum, const Ve
                  history_.left(lane, wavelength, table);
     if (scattered != nullptr) {
       const auto local = static_cast<float>(seen / paths_.omega[lane]);
-      left *= glm::dot(Vec3f(table(local)), *scattered);
+      left *= glm::dot(Vec3f(table(local)), scattered->all);
     }
     sum += left * response;
+    if (!parts_.are_wanted()) continue;
+    parts_.receive_line(lane, group, left * response, wavelength, table, scattered);
   }
   by_wavelength_.color.set(lane, sum);
 }

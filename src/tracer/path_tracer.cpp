@@ -30,7 +30,8 @@ PathTracer::PathTracer(const Scene& scene, const FrameSet& frames, LightSearch s
              false,
              false,
              false,
-             SceneSpectra(scene)},
+             SceneSpectra(scene),
+             LightGroups(scene)},
       crossed_media_(no_crossing) {
   for (Environment& sky : stage_.environments) {
     if (search == LightSearch::by_chance) sky.is_sampled = false;

@@ -65,6 +65,7 @@ void PathWalk::meet() {
       if (group[lane] != 0) set_changing_material(lane, shines);
     }
   });
+  if (parts_.are_wanted()) note_albedos();
   if (shines.any || shines.any_own) weigh_emission(shines);
   if (shines.any) add_emission(shines);
   for (int lane = 0; shines.any_own && lane < packet_size; ++lane) {
@@ -162,7 +163,8 @@ void PathWalk::add_emission(const ShineLanes& shines) {
       if (met_[lane] == 0 || light.at(lane) == Vec3f(0)) continue;
       const double omega = paths_.omega[lane];
       const Vec3f color = light.at(lane) * emitter_factor(beaming, 1.0 / omega);
-      if (receive_direct(lane, color, omega)) {
+      const std::int32_t group = stage_.group_of_material(surfaces_.material[lane]);
+      if (receive_direct(lane, color, omega, group)) {
         light.set(lane, Vec3f(0));
         continue;
       }
@@ -176,6 +178,12 @@ void PathWalk::add_emission(const ShineLanes& shines) {
     const Vec3f sum = paths_.radiance.at(i) + paths_.throughput.at(i) * light.at(i) * factor;
     set_in(met_, i, paths_.radiance, sum);
   }
+  for (int i = 0; parts_.are_wanted() && i < packet_size; ++i) {
+    if (met_[i] == 0) continue;
+    const float factor = emitter_factor(beaming, 1.0 / paths_.omega[i]);
+    parts_.receive(i, stage_.group_of_material(surfaces_.material[i]),
+                   paths_.throughput.at(i) * light.at(i) * factor);
+  }
 }
 
 void PathWalk::add_own_spectrum(int lane, const ShineLanes& shines) {
@@ -185,8 +193,9 @@ void PathWalk::add_own_spectrum(int lane, const ShineLanes& shines) {
   if (color == Vec3f(0)) return;
   const auto material = static_cast<std::size_t>(surfaces_.material[lane]);
   const EmitterSpectrum& spectrum = stage_.spectra.all[material];
-  receive(lane, light_by_wavelength(lane, spectrum, color, shines.kelvin[lane], omega));
-  if (follows_lines()) receive_lines(lane, spectrum, color, omega);
+  const std::int32_t group = stage_.groups.of_material[material];
+  receive(lane, light_by_wavelength(lane, spectrum, color, shines.kelvin[lane], omega), group);
+  if (follows_lines()) receive_lines(lane, spectrum, color, omega, group);
 }
 
 RESTFRAME_CLONES void PathWalk::set_geometry() {

@@ -26,6 +26,7 @@ PathWalk::PathWalk(const PathStage& stage, const PacketId& id, TemporalEvaluator
   for (int i = 0; stage_.tables.has_textures() && i < packet_size; ++i) {
     paths_.cone[i] = {0.0F, rays.has_spread ? rays.spread[i] : 0.0F};
   }
+  parts_.begin(layers.parts, stage.groups);
   if (stage.spectra.shifts) choose_wavelengths(id);
   chosen_.density.fill(0.0F);
   for (int i = 0; layers_.data != nullptr && i < packet_size; ++i) (*layers_.data)[i].hit = false;

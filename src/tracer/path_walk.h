@@ -12,6 +12,7 @@
 #include "tracer/light_sampling.h"
 #include "tracer/line_history.h"
 #include "tracer/medium_stack.h"
+#include "tracer/path_parts.h"
 #include "tracer/plain_material.h"
 #include "tracer/random.h"
 #include "tracer/sample.h"
@@ -40,7 +41,14 @@ struct PathStage {
   bool has_clocks = false;       // something that changes over time
   bool has_media = false;        // materials that light can be inside of
   SceneSpectra spectra;
+  LightGroups groups;
 
+  std::int32_t group_of(const LightPlace& place) const {
+    return groups.of_light[static_cast<std::size_t>(place.light - scene.lights.data())];
+  }
+  std::int32_t group_of_material(std::int32_t material) const {
+    return groups.of_material[static_cast<std::size_t>(material)];
+  }
   std::int32_t spectrum_of(const LightPlace& place) const {
     return spectra.of_light(place.light - scene.lights.data());
   }
@@ -189,14 +197,18 @@ class PathWalk {
     by_wavelength_.direct[lane] = 0;
     if (follows_lines()) history_.weigh(lane, weight, paths_.omega[lane]);
   }
-  // Light that arrives at the end of the path, its emitter's factor included.
-  void receive(int lane, const Vec3f& light) {
-    paths_.radiance.set(lane, paths_.radiance.at(lane) + paths_.throughput.at(lane) * light);
+  // Light that arrives at the end of the path from an emitter of this group, its emitter's factor
+  // included.
+  void receive(int lane, const Vec3f& light, std::int32_t group) {
+    const Vec3f left = paths_.throughput.at(lane) * light;
+    paths_.radiance.set(lane, paths_.radiance.at(lane) + left);
+    if (parts_.are_wanted()) parts_.receive(lane, group, left);
   }
   void widen_cone(int lane, float density);
   void depart(int lane, const Vec3f& direction);
 
   void choose_wavelengths(const PacketId& id);
+  glm::mat3 color_from_lanes(float hero) const;
   void find_local_spectra();
   // A fraction by colour, where the path is, as one by the path's lanes.
   Vec3f by_wavelength(int lane, const Vec3f& color) const {
@@ -218,12 +230,19 @@ class PathWalk {
   Vec3f light_by_wavelength(int lane, const EmitterSpectrum& spectrum, const Vec3f& color,
                             float kelvin, double omega) const;
   // D65 light of a colour that the camera sees as it is needs no wavelengths: true if it was received.
-  bool receive_direct(int lane, const Vec3f& color, double omega);
+  bool receive_direct(int lane, const Vec3f& color, double omega, std::int32_t group);
   bool follows_lines() const { return stage_.spectra.shifts && stage_.spectra.has_lines; }
   // The lines of an emitter's light of a colour: they are not among the path's wavelengths. What the
-  // surface where the path is scatters of it is `scattered`, a colour, if light comes by way of it.
+  // surface where the path is scatters of it is `scattered`, if light comes by way of it.
   void receive_lines(int lane, const EmitterSpectrum& spectrum, const Vec3f& color, double omega,
-                     const Vec3f* scattered = nullptr);
+                     std::int32_t group, const LobeSplit* scattered = nullptr);
+
+  LobeSplit lobe_split(int lane, const Vec3f& direction, const Vec3f& all, bool exact) const;
+  void note_scattering(int lane, const ScatteredLanes& scattered);
+  void note_arriving(const IncidentLanes& from_light, const Vec3fLanes& fraction,
+                     const Vec3fLanes& arriving, const Lanes<std::int32_t>& reached,
+                     const Lanes<float>& left);
+  void note_albedos();
 
   float random(int lane, Dimension dimension) { return random_(lane, dimension, round_); }
 
@@ -238,6 +257,7 @@ class PathWalk {
   ChosenLanes chosen_;
   WavelengthLanes by_wavelength_;
   LineHistory history_;
+  PathParts parts_;
   Lanes<MediumStack> media_;
   HitPacket hits_;
   SurfaceLanes surfaces_;

@@ -1,6 +1,7 @@
 #include "tracer/preview.h"
 
 #include "physics/clones.h"
+#include "scene/light_groups.h"
 #include "tracer/cover_counts.h"
 #include "tracer/footprint.h"
 #include "tracer/shading_normal.h"
@@ -28,7 +29,8 @@ Preview::Preview(const Scene& scene, const FrameSet& frames)
       frames_(frames),
       tables_(scene),
       places_(object_places(scene, frames)),
-      spectra_(scene) {
+      spectra_(scene),
+      groups_(scene) {
   simple_.push_back({Vec4f(0), Vec4f(0), 1, 1});
   for (const Material& material : scene.materials) {
     plain_.push_back(plain(material));
@@ -117,6 +119,37 @@ inline Vec4f Preview::shade(const Met& met, TemporalEvaluator& evaluator) const 
   return shaded;
 }
 
+// After shade(), which refines the hit. Times the part of the surface that is there.
+Preview::Own Preview::own(const Met& met, float there, TemporalEvaluator& evaluator) const {
+  const MetSurface surface = met_surface(met);
+  const Material& material = surface.material();
+  const double clock = clock_at(places_[static_cast<std::size_t>(met.surfaces.object[met.lane])],
+                                met.hits, met.lane);
+  const Vec4f texture = texel(surface, material.base_color_texture);
+  const Vec3f base = base_color(surface, texture, clock, evaluator);
+  const Vec3f glow = emission(surface, clock, evaluator);
+  Vec3f shines = material.unlit ? base : Vec3f(0);
+  if (has_own_spectrum(material.emission_temperature, material.emission_spectrum)) {
+    shines = as_seen(shines, met) + own_spectrum(met, glow, clock, evaluator);
+  } else {
+    shines = as_seen(shines + glow, met);
+  }
+  const float factor = emitter_factor(scene_.render.beaming, doppler_at(met.hits, met.lane));
+  return {shines * (there * factor), base * there};
+}
+
+// left: what surfaces in front of it leave of what `shaded` says.
+void Preview::add_parts(const Met& met, float left, const Vec4f& shaded,
+                        TemporalEvaluator& evaluator, SampleParts& parts) const {
+  if (!(shaded.w > 0.0F)) return;
+  const Own of_surface = own(met, shaded.w, evaluator);
+  const Vec3f all = left * Vec3f(shaded), emission = left * of_surface.shines;
+  parts.add(LightWay::emission, met.lane, emission);
+  parts.add(LightWay::direct, met.lane, all - emission);
+  parts.add_to_group(0, met.lane, all);
+  parts.add(SampleParts::albedo, met.lane, left * of_surface.base);
+}
+
 RESTFRAME_CLONES bool Preview::shade_simple(const RayPacket& rays, const HitPacket& hits,
                                             const SurfaceLanes& surfaces,
                                             RadianceLanes& radiance) const {
@@ -153,6 +186,8 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
                     RadianceLanes& radiance, const SampleLayers& layers) const {
   SurfaceDataLanes* const data = layers.data;
   for (int lane = 0; data != nullptr && lane < packet_size; ++lane) (*data)[lane].hit = false;
+  SampleParts* const parts = layers.parts;
+  if (parts != nullptr) parts->clear(groups_);
   HitPacket hits;
   SurfaceLanes surfaces;
   bool passing = true;
@@ -160,7 +195,8 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
     frames_.nearest(rays, hits);
     surfaces_at(scene_, frames_, hits, rays.active, surfaces);
     if (layer == 0) {
-      if (data == nullptr && shade_simple(rays, hits, surfaces, radiance)) {
+      const bool only_light = data == nullptr && parts == nullptr;
+      if (only_light && shade_simple(rays, hits, surfaces, radiance)) {
         if (layers.covers != nullptr) count_covers(frames_, rays, hits, surfaces, *layers.covers);
         return;
       }
@@ -174,6 +210,7 @@ void Preview::trace(RayPacket& rays, const PacketId& id, TemporalEvaluator& eval
       const Met met{rays, surfaces, hits, lane};
       const Vec4f shaded = shade(met, evaluator);
       const float covered = radiance[lane].w;
+      if (parts != nullptr) add_parts(met, 1.0F - covered, shaded, evaluator, *parts);
       radiance[lane] += (1.0F - radiance[lane].w) * shaded;  // behind what is in front
       if (data != nullptr && !(*data)[lane].hit &&
           random_unit(id, lane, Dimension::opacity, layer) < shaded.w) {

@@ -4,6 +4,7 @@
 #include "tracer/emitter_spectrum.h"
 #include "tracer/random.h"
 #include "tracer/sample.h"
+#include "tracer/sample_parts.h"
 #include "tracer/surface.h"
 #include "tracer/surface_material.h"
 
@@ -59,11 +60,20 @@ class Preview {
                      TemporalEvaluator& evaluator) const;
   SurfaceData data_of(const Met& met) const;
 
+  // What a surface sends by itself, and its base colour.
+  struct Own {
+    Vec3f shines{0}, base{0};
+  };
+  Own own(const Met& met, float there, TemporalEvaluator& evaluator) const;
+  void add_parts(const Met& met, float left, const Vec4f& shaded, TemporalEvaluator& evaluator,
+                 SampleParts& parts) const;
+
   const Scene& scene_;
   const FrameSet& frames_;
   SurfaceTables tables_;
   std::vector<ObjectPlace> places_;
   SceneSpectra spectra_;
+  LightGroups groups_;
   std::vector<Plain> plain_;    // a material each
   std::vector<Simple> simple_;  // nothing, then a material each
 };

@@ -27,15 +27,18 @@ struct SurfaceData {
   // As the camera sees it (apparent_surface.h), if anyone asks.
   double depth = 0;         // distance along the view
   Vec3 apparent_normal{0};  // in the camera's axes: right, up, backwards
+  Vec2 motion{0};  // on the film until the next picture, if anyone asks: pixels, right and up
 };
 using SurfaceDataLanes = Lanes<SurfaceData>;
 
+struct SampleParts;
 class CoverCounts;
 
 // What is wanted of 16 samples besides their light; null: not wanted.
 struct SampleLayers {
   SurfaceDataLanes* data = nullptr;
   CoverCounts* covers = nullptr;  // to be added to
+  SampleParts* parts = nullptr;
 };
 
 }  // namespace restframe

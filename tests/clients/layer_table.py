@@ -21,9 +21,13 @@ LAYERS = {  # of layers.toml, besides the beauty
     "normal": of_letters("normal", "XYZ"),
     "P": of_letters("P", "XYZ"),
     "UV": of_letters("UV", "UVA"),
+    "motion": of_letters("motion", "UVA"),
     "id": ["id_object.V", "id_material.V"],
     "variance": of_letters("variance", "RGB"),
     "samples": ["samples.V"],
+    **{way: of_letters(way, "RGB") for way in
+       ("emission", "direct", "indirect", "reflection", "transmission", "albedo")},
+    "lights": [channel for group in GROUPS for channel in of_letters(f"light_{group}", "RGB")],
     **{layer: [channel for number in range(3) for channel in of_letters(f"{layer}{number:02}", "RGBA")]
        for layer in MATTES},
 }

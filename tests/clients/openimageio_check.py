@@ -139,8 +139,9 @@ def check_sense(said, planes):
     camera = layer_sense.Camera(said["worldToCamera"], said["worldToNDC"], planes["R"].shape)
     names = list(said["objectNames"])
     layer_sense.check_camera(report, camera)
-    for check in (layer_sense.check_places, layer_sense.check_normals):
+    for check in (layer_sense.check_places, layer_sense.check_normals, layer_sense.check_motion):
         check(report, planes, names, camera)
+    layer_sense.check_sums(report, planes)
     layer_sense.check_mattes(report, planes, names)
 
 

@@ -61,11 +61,16 @@ start_slurmd() {
   slurm_daemons[0]=$!
 }
 
-node_is_idle() { [ "$(sinfo --noheader --format=%T 2>/dev/null)" = idle ]; }
+node_is_idle() { [ "$(timeout 2 sinfo --noheader --format=%T 2>/dev/null)" = idle ]; }
+
+all_run() {
+  local process
+  for process in "${slurm_daemons[@]}"; do kill -0 "$process" 2>/dev/null || return 1; done
+}
 
 # Fails with the reason in slurm_fault.
 start_slurm() {
-  local folder=$1
+  local folder=$1 end=$((SECONDS + 20))
   mkdir -p "$folder/state" "$folder/spool"
   chmod 755 "$(dirname "$folder")" "$folder" # munged wants its socket within everybody's reach
   (umask 077 && head -c 1024 /dev/urandom >"$folder/munge.key")
@@ -82,12 +87,12 @@ start_slurm() {
   slurmctld -D -c >"$folder/slurmctld.out.log" 2>&1 &
   slurm_daemons[1]=$!
   start_slurmd "$folder"
-  for ((i = 0; i < 100; ++i)); do
+  while all_run && [ $SECONDS -lt $end ]; do
     ! node_is_idle || return 0
     sleep 0.2
   done
   # shellcheck disable=SC2034
-  slurm_fault=$(grep -hiE 'error|fatal' "$folder"/*.log | tail -n 1)
+  slurm_fault=$(cat "$folder"/{munge,slurmd,slurmctld}.out.log | grep -iE 'error|fatal' | tail -n 1)
   return 1
 }
 

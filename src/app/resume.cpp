@@ -1,0 +1,80 @@
+#include "app/resume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/signals.h"
+#include "film/exr_check.h"
+#include "film/png_preview.h"
+#include "scene/atomic_file.h"
+#include "scene/error.h"
+#include "scene/file_names.h"
+#include "scene/parallel.h"
+#include "scene/temporary_files.h"
+
+namespace restframe {
+
+namespace fs = std::filesystem;
+
+FoundPicture find_picture(const PictureFiles& files, int number, const Provenance& now,
+                          bool with_preview) {
+  bool all_there = !with_preview || is_whole_png(files.preview);
+  for (const LayerFile& image : files.images) {
+    const std::optional<WrittenPicture> written = written_picture(image.path);
+    all_there = all_there && written;
+    if (!written) continue;
+    const std::string differs = difference(provenance_in(written->texts), now);
+    if (!differs.empty()) return {Found::another, differs, image.path};
+    if (written->number != number) {
+      return {Found::another, fmt::format("it is picture {}, not {}", written->number, number),
+              image.path};
+    }
+  }
+  return {all_there ? Found::finished : Found::nothing_of_use, {}, {}};
+}
+
+bool has_previews(const Scene& scene) {
+  const auto& layers = scene.output.layers;
+  return scene.output.preview &&
+         std::find(layers.begin(), layers.end(), Layer::beauty) != layers.end();
+}
+
+std::vector<FoundPicture> find_pictures(const Job& job) {
+  const Provenance now = provenance_of(job.scene);
+  std::vector<FoundPicture> found(job.numbers.size());
+  parallel_for(found.size(), [&](std::size_t i) {
+    if (interrupt_requested()) throw Interrupted();
+    const int number = job.numbers[i];
+    found[i] = find_picture(job.files(number), number, now, has_previews(job.scene));
+  });
+  return found;
+}
+
+std::vector<int> pictures_to_make(const Job& job, bool overwrite) {
+  if (overwrite) return job.numbers;
+  const std::vector<FoundPicture> found = find_pictures(job);
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const int number = job.numbers[i];
+    if (found[i].found == Found::another) {
+      throw InputError(fmt::format("{}: was made from another scene ({}); --overwrite replaces it",
+                                   found[i].path.string(), found[i].difference));
+    }
+    if (found[i].found == Found::nothing_of_use) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+void prepare_folders(const Job& job, const std::vector<int>& numbers) {
+  std::set<fs::path> folders;
+  for (const int number : numbers) {
+    const fs::path path = job.path(number);
+    if (!folders.insert(folder_of(path)).second) continue;
+    remove_orphans(folder_of(path));
+    const AtomicFile never_committed(path);
+  }
+}
+
+}  // namespace restframe

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/light_groups.h"
+#include "scene/validate_data.h"
+
+namespace restframe {
+namespace {
+
+using Faults = std::vector<std::string>;
+
+bool is_part_of_beauty(Layer layer) {
+  constexpr Layer parts[] = {Layer::emission,   Layer::direct,       Layer::indirect,
+                             Layer::reflection, Layer::transmission, Layer::lights};
+  return std::find(std::begin(parts), std::end(parts), layer) != std::end(parts);
+}
+
+void check_group(const std::string& group, const std::string& name, Faults& faults) {
+  if (is_group_name(group)) return;
+  faults.push_back(
+      fmt::format("{}: group is \"{}\", must be letters, digits, _ and - only", name, group));
+}
+
+}  // namespace
+
+void validate_layers(const Scene& scene, Faults& faults) {
+  for (const Light& light : scene.lights) {
+    check_group(light.group, fmt::format("light \"{}\"", light.name), faults);
+  }
+  for (const Material& material : scene.materials) {
+    check_group(material.group, fmt::format("material \"{}\"", material.name), faults);
+  }
+  const std::vector<Layer>& layers = scene.output.layers;
+  const bool has_parts = std::any_of(layers.begin(), layers.end(), is_part_of_beauty);
+  if (has_parts && scene.exposure.count > 1 && scene.exposure.combine == Combine::max) {
+    faults.emplace_back(
+        "output: what exposures combined by \"max\" show is no sum of parts: leave out the layers "
+        "\"emission\", \"direct\", \"indirect\", \"reflection\", \"transmission\" and \"lights\", "
+        "or combine by \"sum\" or \"mean\"");
+  }
+  const std::size_t groups = light_groups(scene).size();
+  if (has_layer(scene.output.layers, Layer::lights) && groups > most_light_groups) {
+    faults.push_back(
+        fmt::format("output: the layer \"lights\" would hold {} groups, at most {} "
+                    "can be",
+                    groups, most_light_groups));
+  }
+}
+
+}  // namespace restframe
