@@ -39,8 +39,7 @@ struct Shown {
   double u = 0, v = 0;
 };
 
-std::vector<Shown> shown_by(const SphereScene& scene, const std::string& text) {
-  const Picture picture = first_picture(loaded_scene(text));
+std::vector<Shown> shown_in(const SphereScene& scene, const Picture& picture) {
   const auto id = channel_of(picture, "id_object.V"), px = channel_of(picture, "P.X"),
              py = channel_of(picture, "P.Y"), pz = channel_of(picture, "P.Z"),
              u = channel_of(picture, "motion.U"), v = channel_of(picture, "motion.V");
@@ -56,6 +55,10 @@ std::vector<Shown> shown_by(const SphereScene& scene, const std::string& text) {
     all.push_back(shown);
   }
   return all;
+}
+
+std::vector<Shown> shown_by(const SphereScene& scene, const std::string& text) {
+  return shown_in(scene, first_picture(loaded_scene(text)));
 }
 
 // Fails where a motion is not that of long double's spheres. Returns how many points were seen.
@@ -172,6 +175,36 @@ TEST(ApparentMotion, OfRollingShutters) {
     ++seen;
   }
   EXPECT_GT(seen, 20);
+}
+
+// Each eye sees its own motion; films that are shifted are so in both pictures.
+TEST(ApparentMotion, IsThatOfEachEye) {
+  SphereScene scene = small_scene();
+  scene.spheres.resize(1);
+  scene.spheres[0].gamma_beta = reference::gamma_beta_from_beta({0.5, 0.3, 0.4});
+  place_in_sight(scene.spheres[0], scene.camera, 0, {0, 0, -1}, 4);
+  scene.more = "[camera.stereo]\nseparation = 0.6\nconvergence = 4\n";
+  const Scene loaded = loaded_scene(scene_file(scene));
+  const FrameSet frames(loaded, thread_count());
+  const Integrator integrator = make_integrator(loaded, frames);
+  EvaluatorPool evaluators(loaded.functions);
+  for (const Eye eye : {Eye::left, Eye::right}) {
+    Picture picture = blank_picture(loaded);
+    render_picture({loaded, integrator, evaluators, {}}, 0, picture, eye);
+    reference::ObserverCamera camera = scene.camera;
+    camera.position.x = eye == Eye::left ? -0.3 : 0.3;
+    int seen = 0;
+    for (const Shown& shown : shown_in(scene, picture)) {
+      if (shown.sphere == nullptr) continue;
+      const auto now = seen_point(*shown.sphere, shown.point, camera, 0).film;
+      const auto next = seen_point(*shown.sphere, shown.point, camera, kInterval).film;
+      ASSERT_TRUE(now && next);
+      EXPECT_NEAR(shown.u, next->x - now->x, 2e-3);
+      EXPECT_NEAR(shown.v, now->y - next->y, 2e-3);
+      ++seen;
+    }
+    EXPECT_GT(seen, 20);
+  }
 }
 
 // Where pictures hold a value, between the pixels' centres.

@@ -150,6 +150,23 @@ TEST(LayerParts, StandAlone) {
   EXPECT_EQ(colors_of(first_picture(scene), "reflection"), colors_of(all, "reflection"));
 }
 
+// A window of a picture has the parts that the whole has there; one beyond it has its own.
+TEST(LayerParts, OfACropAreThoseOfTheWhole) {
+  Scene scene = with_parts(everything_of(""));
+  scene.render.overscan = 3;
+  const Picture whole = first_picture(scene);
+  expect_sum(whole, way_names);
+  scene.render.crop = PixelWindow{-2, 3, 7, 5};
+  const Picture crop = first_picture(scene);
+  ASSERT_EQ(crop.rgba().size(), 35U);
+  for (const std::string& way : way_names) {
+    const std::vector<Vec3> all = colors_of(whole, way), some = colors_of(crop, way);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      EXPECT_EQ(some[i], all[(i / 7 + 3 + 3) * 18 + i % 7 - 2 + 3]) << way << ' ' << i;
+    }
+  }
+}
+
 TEST(LayerParts, MirrorsReflectAll) {
   for (const char* roughness : {"0", "0.4"}) {
     const Scene scene = loaded_scene(
@@ -256,7 +273,8 @@ Scene plastic_wall(const std::string& color, const std::string& render_keys,
 
 // Light of one direction is shared among the lobes, whatever its spectrum.
 TEST(LayerParts, SharesOfLampsAreThoseOfEachLobeAlone) {
-  const std::string lamp = "[[light]]\ntype = \"point\"\nposition = [0.4, 0.3, 2.5]\nintensity = 100\n";
+  const std::string lamp =
+      "[[light]]\ntype = \"point\"\nposition = [0.4, 0.3, 2.5]\nintensity = 100\n";
   for (const std::string keys : {"", "beaming = true", "doppler = true"}) {
     for (const std::string spectrum :
          {"", "temperature = 3000\n", "lines = [[589, 1], [470, 0.5, 8]]\n"}) {

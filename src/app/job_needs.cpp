@@ -25,8 +25,9 @@ std::size_t bytes_of_pictures(const Scene& scene) {
   // One is rendered while another is written: as the numbers that the file holds, as the growing
   // file in memory, and as the preview.
   constexpr std::size_t copies = 2 + 3;
-  return copies * bytes_a_pixel(scene) * static_cast<std::size_t>(scene.render.width) *
-         static_cast<std::size_t>(scene.render.height);
+  const PixelWindow window = picture_window(scene.render);
+  return copies * bytes_a_pixel(scene) * eyes_of(scene.camera).size() *
+         static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
 }
 
 }  // namespace
