@@ -93,10 +93,10 @@ def check_compressions(ours):
 def check_split(ours):
     """A file for each layer."""
     for layer, names in {"beauty": layer_table.BEAUTY, **layer_table.LAYERS}.items():
-        files = [f"split.light_{group}" for group in layer_table.GROUPS] if layer == "lights" else [f"split.{layer}"]
-        theirs = {name: plane for file in files for name, plane in read(file)[1].items()}
+        theirs = read(f"split.{layer}")[1]
         good = set(theirs) == set(names) and all(numpy.array_equal(theirs[n], ours[n]) for n in names)
-        report.say(good, f"{', '.join(files)}: {len(names)} channels, {layer_table.likeness(good)}")
+        report.say(good, f"split.{layer}: {len(theirs)} channels of {len(names)}, "
+                         f"{layer_table.likeness(good)}")
 
 
 def check_crop(ours):
