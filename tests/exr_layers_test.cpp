@@ -187,7 +187,7 @@ TEST(ExrFiles, LayersOfChannels) {
        std::map<std::string, std::string>{{"R", "beauty"},
                                           {"A", "beauty"},
                                           {"Z", "Z"},
-                                          {"depth.Z", "depth"},
+                                          {"depth_planar.Z", "depth"},
                                           {"time_world.V", "time"},
                                           {"id_material.V", "id"},
                                           {"N.X", "N"},

@@ -118,14 +118,32 @@ TEST(Layers, TheTableHasEachOnce) {
                                           "albedo",
                                           "depth",
                                           "normal"}));
-  EXPECT_EQ(
-      channels,
-      (std::set<std::string>{
-          "Z",         "time_proper.V", "time_world.V",  "doppler.D",  "N.X",        "N.Y",
-          "N.Z",       "P.X",           "P.Y",           "P.Z",        "UV.U",       "UV.V",
-          "UV.A",      "id_object.V",   "id_material.V", "variance.R", "variance.G", "variance.B",
-          "samples.V", "motion.U",      "motion.V",      "motion.A",   "depth.Z",    "normal.X",
-          "normal.Y",  "normal.Z"}));
+  EXPECT_EQ(channels, (std::set<std::string>{"Z",
+                                             "time_proper.V",
+                                             "time_world.V",
+                                             "doppler.D",
+                                             "N.X",
+                                             "N.Y",
+                                             "N.Z",
+                                             "P.X",
+                                             "P.Y",
+                                             "P.Z",
+                                             "UV.U",
+                                             "UV.V",
+                                             "UV.A",
+                                             "id_object.V",
+                                             "id_material.V",
+                                             "variance.R",
+                                             "variance.G",
+                                             "variance.B",
+                                             "samples.V",
+                                             "motion.U",
+                                             "motion.V",
+                                             "motion.A",
+                                             "depth_planar.Z",
+                                             "normal.X",
+                                             "normal.Y",
+                                             "normal.Z"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
@@ -235,7 +253,7 @@ TEST(Exr, HoldsWhatWasSet) {
                                            {"motion.V", -2.5F},
                                            {"motion.A", 1.0F},
                                            {"samples.V", 48.0F},
-                                           {"depth.Z", 6.5F},
+                                           {"depth_planar.Z", 6.5F},
                                            {"normal.X", 0.8F},
                                            {"normal.Y", 0.0F},
                                            {"normal.Z", 0.6F}};
@@ -255,7 +273,7 @@ TEST(Exr, HoldsWhatWasSet) {
   EXPECT_EQ(exr.channels.size(), expected.size());
   for (const auto& [name, value] : expected) {
     EXPECT_EQ(exr.at(name, 2, 1), value) << name;
-    EXPECT_EQ(exr.at(name, 0, 1), (name == "Z" || name == "depth.Z") ? inf : 0.0F) << name;
+    EXPECT_EQ(exr.at(name, 0, 1), (name == "Z" || name == "depth_planar.Z") ? inf : 0.0F) << name;
   }
 }
 

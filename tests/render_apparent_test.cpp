@@ -44,7 +44,7 @@ struct Seen {
   std::vector<double> distance, depth, x, y, z;
   explicit Seen(const Picture& picture)
       : distance(channel_of(picture, "Z")),
-        depth(channel_of(picture, "depth.Z")),
+        depth(channel_of(picture, "depth_planar.Z")),
         x(channel_of(picture, "normal.X")),
         y(channel_of(picture, "normal.Y")),
         z(channel_of(picture, "normal.Z")) {}

@@ -49,7 +49,7 @@ constexpr std::array id_channels{DataChannel{"id_object.V", ChannelKind::plain, 
                                              [](Data d, Units) { return d.material + 1.0; }}};
 
 constexpr std::array depth_channels{
-    DataChannel{"depth.Z", ChannelKind::plain, infinite,
+    DataChannel{"depth_planar.Z", ChannelKind::plain, infinite,
                 [](Data d, Units u) { return d.depth * u.light_speed; }}};
 
 constexpr std::array apparent_normal_channels{

@@ -61,7 +61,7 @@ def check_places(report, planes, names, camera, what=""):
         off = max(off, numpy.abs(camera.pixels(points) - numpy.column_stack(at[::-1]) - 0.5).max())
         inside = camera.in_camera(points)
         far_off = max(far_off, numpy.abs(numpy.linalg.norm(inside, axis=1) - planes["Z"][at]).max())
-        deep_off = max(deep_off, numpy.abs(inside[:, 2] - planes["depth.Z"][at]).max())
+        deep_off = max(deep_off, numpy.abs(inside[:, 2] - planes["depth_planar.Z"][at]).max())
         count += len(points)
     report.say(count > 500 and off < 2e-3 and max(far_off, deep_off) < 1e-4,
                f"{what}worldToNDC: {count} points of P at their pixels, off by {off:.2g} at most; "
@@ -80,7 +80,7 @@ def check_motion(report, planes, names, camera):
     """Where the flying ball's points are seen at the next picture, by their worldlines' light."""
     at = where(planes, names, FLYING)
     centers = numpy.column_stack(at[::-1]) + 0.5
-    depth = planes["depth.Z"][at]
+    depth = planes["depth_planar.Z"][at]
     points = unprojected(camera, centers, depth)
     seen = TIME - planes["Z"][at]
     # |x + v (t - seen) - eye| = TIME + 1 / RATE - t, for s = t - seen

@@ -14,7 +14,7 @@ GROUPS = ("lamp", "rest", "sky")  # of layers.toml's lights
 MATTES = ("crypto_object", "crypto_material", "crypto_asset")
 LAYERS = {  # of layers.toml, besides the beauty
     "Z": ["Z"],
-    "depth": ["depth.Z"],
+    "depth": ["depth_planar.Z"],
     "time": ["time_proper.V", "time_world.V"],
     "doppler": ["doppler.D"],
     "N": of_letters("N", "XYZ"),
