@@ -118,13 +118,14 @@ TEST(Layers, TheTableHasEachOnce) {
                                           "albedo",
                                           "depth",
                                           "normal"}));
-  EXPECT_EQ(channels,
-            (std::set<std::string>{
-                "Z",          "time_proper.V", "time_world.V", "doppler.D",   "N.X",
-                "N.Y",        "N.Z",           "P.X",          "P.Y",         "P.Z",
-                "UV.U",       "UV.V",          "UV.A",         "id_object.V", "id_material.V",
-                "variance.R", "variance.G",    "variance.B",   "samples.V",   "motion.U",
-                "motion.V",   "depth.Z",       "normal.X",     "normal.Y",    "normal.Z"}));
+  EXPECT_EQ(
+      channels,
+      (std::set<std::string>{
+          "Z",         "time_proper.V", "time_world.V",  "doppler.D",  "N.X",        "N.Y",
+          "N.Z",       "P.X",           "P.Y",           "P.Z",        "UV.U",       "UV.V",
+          "UV.A",      "id_object.V",   "id_material.V", "variance.R", "variance.G", "variance.B",
+          "samples.V", "motion.U",      "motion.V",      "motion.A",   "depth.Z",    "normal.X",
+          "normal.Y",  "normal.Z"}));
   EXPECT_EQ(channels.size(), channel_count);
 }
 
@@ -232,6 +233,7 @@ TEST(Exr, HoldsWhatWasSet) {
                                            {"variance.B", std::numeric_limits<float>::max()},
                                            {"motion.U", 1.5F},
                                            {"motion.V", -2.5F},
+                                           {"motion.A", 1.0F},
                                            {"samples.V", 48.0F},
                                            {"depth.Z", 6.5F},
                                            {"normal.X", 0.8F},

@@ -37,7 +37,7 @@ constexpr std::array position_channels{
     DataChannel{"P.Z", ChannelKind::plain, 0.0,
                 [](Data d, Units u) { return d.position.z * u.light_speed; }}};
 
-// Blender reads layers of three channels with these letters, and misreads any of two.
+// Blender reads layers of three channels, and misreads those of two: A tells where a surface is.
 constexpr std::array uv_channels{
     DataChannel{"UV.U", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.x); }},
     DataChannel{"UV.V", ChannelKind::plain, 0.0, [](Data d, Units) { return double(d.uv.y); }},
@@ -62,7 +62,8 @@ constexpr std::array apparent_normal_channels{
 
 constexpr std::array motion_channels{
     DataChannel{"motion.U", ChannelKind::plain, 0.0, [](Data d, Units) { return d.motion.x; }},
-    DataChannel{"motion.V", ChannelKind::plain, 0.0, [](Data d, Units) { return d.motion.y; }}};
+    DataChannel{"motion.V", ChannelKind::plain, 0.0, [](Data d, Units) { return d.motion.y; }},
+    DataChannel{"motion.A", ChannelKind::plain, 0.0, [](Data, Units) { return 1.0; }}};
 
 using Statistics = const SampleStatistics&;
 

@@ -5,7 +5,6 @@
 FOLDER has none.exr, without compression.
 """
 
-import json
 import pathlib
 import sys
 
@@ -14,12 +13,12 @@ import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import cryptomatte  # noqa: E402
+import layer_sense  # noqa: E402
 import layer_table  # noqa: E402
-from blender_exr import read_attributes  # noqa: E402
 
 FOLDER = pathlib.Path(sys.argv[sys.argv.index("--") + 1])
 SOCKETS = {"Combined": layer_table.BEAUTY, "Depth": ["Z"]}  # what Blender calls otherwise
-report = layer_table.Report()
+report = layer_table.Report("Blender")
 
 
 def letters_of(names):
@@ -38,17 +37,22 @@ def channels_of_layers():
 
 
 class Compositor:
-    """Sockets in, a file of uncompressed channels out."""
+    """A file's sockets in, a file of uncompressed channels out."""
 
-    def __init__(self, image, size):
+    made = 0
+
+    def __init__(self, path, size):
         scene = bpy.context.scene
         scene.use_nodes = True
         scene.render.resolution_x, scene.render.resolution_y = size
         scene.render.resolution_percentage = 100
-        self.tree, self.image = scene.node_tree, image
+        self.tree = scene.node_tree
         self.tree.nodes.clear()
+        self.image = bpy.data.images.load(str(path))
+        Compositor.made += 1
+        self.target = FOLDER / f"composited_{Compositor.made}_"
         self.file = self.tree.nodes.new("CompositorNodeOutputFile")
-        self.file.base_path = str(FOLDER / "composited#")
+        self.file.base_path = f"{self.target}#"
         settings = self.file.format
         settings.file_format, settings.color_depth, settings.exr_codec = "OPEN_EXR_MULTILAYER", "32", "NONE"
         self.file.layer_slots.clear()
@@ -57,73 +61,85 @@ class Compositor:
         self.file.layer_slots.new(name)
         self.tree.links.new(socket, self.file.inputs[-1])
 
+    def add_layers(self, view=None):
+        node = self.tree.nodes.new("CompositorNodeImage")
+        node.image = self.image
+        if view:
+            node.view = view
+        sockets = [socket for socket in node.outputs if socket.enabled]
+        for socket in sockets:
+            self.keep(socket.name, socket)
+        return {socket.name for socket in sockets}
+
+    def add_mattes(self, layer, names):
+        for number, name in enumerate(names):
+            node = self.tree.nodes.new("CompositorNodeCryptomatteV2")
+            node.source, node.image = "IMAGE", self.image
+            node.layer_name, node.matte_id = layer, name
+            self.keep(f"{layer}_{number}", node.outputs["Matte"])
+
     def run(self):
         self.tree.nodes.new("CompositorNodeComposite")
         bpy.ops.render.render()
-        return layer_table.planes_of(FOLDER / "composited1.exr")[0]
+        return layer_table.planes_of(f"{self.target}1.exr")[0]
 
 
-def add_layers(compositor):
-    node = compositor.tree.nodes.new("CompositorNodeImage")
-    node.image = compositor.image
-    sockets = [socket for socket in node.outputs if socket.enabled]
-    for socket in sockets:
-        compositor.keep(socket.name, socket)
-    return {socket.name for socket in sockets}
-
-
-def add_mattes(compositor, layer, names):
-    for number, name in enumerate(names):
-        node = compositor.tree.nodes.new("CompositorNodeCryptomatteV2")
-        node.source, node.image = "IMAGE", compositor.image
-        node.layer_name = layer
-        node.matte_id = name
-        compositor.keep(f"{layer}_{number}", node.outputs["Matte"])
-
-
-def check_layers(sockets, composited, ours):
+def check_layers(sockets, composited, ours, what=""):
     wanted = channels_of_layers()
     missing = set(wanted) - sockets
-    report.say(not missing, f"Blender: image node: {len(wanted) - len(missing)} of {len(wanted)} layers"
+    report.say(not missing, f"{what}image node: {len(wanted) - len(missing)} of {len(wanted)} layers"
                + "".join(f", not there: {name}" for name in sorted(missing)))
     for socket, names in wanted.items():
-        if socket in missing:
-            continue
-        theirs = [composited[f"{socket}.{letter}"] for letter in letters_of(names)]
-        good = all(numpy.array_equal(a, ours[name]) for a, name in zip(theirs, names))
-        means = ", ".join(f"{layer_table.mean_of(a):.6g}/{layer_table.mean_of(ours[name]):.6g}"
-                          for a, name in zip(theirs, names))
-        report.say(good, f"Blender: {socket}: {layer_table.likeness(good)}; means theirs/ours {means}")
+        if socket not in missing:
+            theirs = [composited[f"{socket}.{letter}"] for letter in letters_of(names)]
+            report.compare(what + socket, theirs, [ours[name] for name in names])
 
 
 def check_mattes(layer, names, composited, ours):
     for number, name in enumerate(names):
         theirs, wanted = composited[f"{layer}_{number}.V"], cryptomatte.matte_of(ours, layer, name)
         good = numpy.abs(theirs - wanted).max() < 1e-6 and wanted.mean() > 0.005
-        report.say(good, f"Blender: {layer}: matte of \"{name}\": {layer_table.likeness(good)}; "
+        report.say(good, f"{layer}: matte of \"{name}\": {layer_table.likeness(good)}; "
                          f"means theirs/ours {theirs.mean():.6f}/{wanted.mean():.6f}")
 
 
-def names_in(layer, path):
-    manifest = read_attributes(path).get(cryptomatte.key_of(layer) + "manifest", "{}")
-    return sorted(json.loads(manifest))
+def check_one_eye(path, ours):
+    compositor = Compositor(path, ours["R"].shape[::-1])
+    sockets = compositor.add_layers()
+    for layer, names in layer_sense.NAMES.items():
+        compositor.add_mattes(layer, names)
+    composited = compositor.run()
+    check_layers(sockets, composited, ours)
+    for layer, names in layer_sense.NAMES.items():
+        check_mattes(layer, names, composited, ours)
+
+
+def check_stereo(path):
+    both, _ = layer_table.planes_of(path)
+    for view in layer_table.VIEWS:
+        compositor = Compositor(path, both["R"].shape[::-1])
+        sockets = compositor.add_layers(view)
+        check_layers(sockets, compositor.run(), layer_table.of_view(both, view), f"{view} eye: ")
+
+
+def check_two_parts(path, ours):
+    """Data without loss beside light with some."""
+    compositor = Compositor(path, ours["R"].shape[::-1])
+    compositor.add_layers()
+    composited = compositor.run()
+    good = numpy.array_equal(composited["Depth.V"], ours["Z"])
+    light, own = composited["Combined.G"].mean(), ours["G"].mean()
+    report.say(good and abs(light - own) < 0.02 * own,
+               f"{path.stem}, of two parts: Z {layer_table.likeness(good)}; "
+               f"mean of green theirs/ours {light:.6f}/{own:.6f}")
 
 
 def main():
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    path = FOLDER / "none.exr"
-    ours, _ = layer_table.planes_of(path)
-    image = bpy.data.images.load(str(path))
-    height, width = ours["R"].shape
-    compositor = Compositor(image, (width, height))
-    sockets = add_layers(compositor)
-    mattes = {layer: names_in(layer, path) for layer in layer_table.MATTES}
-    for layer, names in mattes.items():
-        add_mattes(compositor, layer, names)
-    composited = compositor.run()
-    check_layers(sockets, composited, ours)
-    for layer, names in mattes.items():
-        check_mattes(layer, names, composited, ours)
+    ours, _ = layer_table.planes_of(FOLDER / "none.exr")
+    check_one_eye(FOLDER / "none.exr", ours)
+    check_stereo(FOLDER / "stereo.exr")
+    check_two_parts(FOLDER / "dwaa.exr", ours)
     sys.exit(1 if report.faults else 0)
 
 
