@@ -133,6 +133,26 @@ TEST_F(Merge, KeepsLightTransportToTheBit) {
   expect_merged("2/p.#.exr", 1);
 }
 
+TEST_F(Merge, JoinsBothEyesOfACrop) {
+  std::string text = kScene;
+  const std::string size = "resolution = [70, 50]\n";
+  text.replace(text.find(size), size.size(), size + "crop = [10, 5, 50, 40]\n");
+  write("scene.toml", "[camera]\nposition = [0, 0, 4]\n[camera.stereo]\nseparation = 0.1\n" + text);
+  make("render");
+  for (const char* tile : {"1/2", "2/2"}) make_tile(tile, "2/p.#.exr");
+  expect_merged("2/p.#.exr", 3);
+}
+
+TEST_F(Merge, WritesAFileALayer) {
+  change_scene("[output]\n", "[output]\nsplit = true\n");
+  make("render");
+  for (const char* tile : {"1/2", "2/2"}) make_tile(tile, "2/p.#.exr");
+  make("merge", {"-o", "2/p.#.exr"});
+  const std::vector<std::string> names = names_in("2");
+  EXPECT_EQ(names.size(), 3U * (5 + 1));
+  for (const std::string& name : names) EXPECT_TRUE(content("2/" + name) == content(name)) << name;
+}
+
 TEST_F(Merge, SharesAreEvenAndDisjoint) {
   std::vector<int> uses(1000);
   for (int part = 1; part <= 16; ++part) {

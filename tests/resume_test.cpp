@@ -132,6 +132,18 @@ TEST_F(Resume, APictureWithoutAWholePreviewIsMadeAgain) {
   expect_new_preview("zeros");
 }
 
+TEST_F(Resume, APictureOfWhichALayerIsMissingIsMadeAgain) {
+  change_scene("[output]", "[output]\nsplit = true");
+  make({"-p", "0-1"});
+  const std::string whole = content("p.time.1.exr");
+  fs::remove(path("p.time.1.exr"));
+  EXPECT_THAT(render({"-p", "0-1"}).out, HasSubstr("1 of 2 pictures made"));
+  EXPECT_TRUE(content("p.time.1.exr") == whole);
+  write("p.beauty.0.exr", "torn");
+  EXPECT_THAT(render({"-p", "0-1"}).out, HasSubstr("1 of 2 pictures made"));
+  EXPECT_THAT(render({"-p", "0-1"}).out, HasSubstr("0 of 2 pictures made"));
+}
+
 TEST_F(Resume, NoPreviewIsMissedWhereNoneIsWanted) {
   change_scene("[output]", "[output]\npreview = false");
   make();
