@@ -8,7 +8,6 @@
 
 #include "app/render_picture.h"
 #include "app/signals.h"
-#include "app/version.h"
 #include "scene/error.h"
 #include "scene/file_names.h"
 
@@ -72,9 +71,7 @@ std::vector<std::size_t> tiles_of(const TileShare& share, std::size_t tiles) {
 }
 
 PartInfo part_info(const Provenance& provenance, int number) {
-  PartInfo info{number, texts_of(provenance)};
-  info.texts.emplace_back("software", std::string("restframe ") + program_version);
-  return info;
+  return {number, texts_of(provenance)};
 }
 
 std::string difference(const PartInfo& before, const PartInfo& now) {

@@ -8,7 +8,6 @@
 
 #include "app/provenance.h"
 #include "app/render_picture.h"
-#include "app/version.h"
 #include "scene/error.h"
 #include "scene/output_pattern.h"
 
@@ -87,8 +86,7 @@ PictureInfo common_info(const Scene& scene) {
   info.compression_level = output.compression_level;
   for (const Object& object : scene.objects) info.object_names.push_back(object.name);
   for (const Material& material : scene.materials) info.material_names.push_back(material.name);
-  info.texts = {{"software", std::string("restframe ") + program_version},
-                {"samples", std::to_string(scene.render.samples)},
+  info.texts = {{"samples", std::to_string(scene.render.samples)},
                 {"seed", std::to_string(scene.render.seed)}};
   for (auto& text : texts_of(provenance_of(scene))) info.texts.push_back(std::move(text));
   for (auto& text : cryptomatte_texts(scene)) info.texts.push_back(std::move(text));

@@ -4,7 +4,9 @@
 
 #include <map>
 #include <sstream>
+#include <string_view>
 
+#include "app/version.h"
 #include "scene/canonical.h"
 #include "scene/file_names.h"
 
@@ -46,10 +48,15 @@ std::string first_difference(const Lines& before, const Lines& now, const Change
   return old_values.empty() ? "" : "no longer " + old_values.begin()->first;
 }
 
+// "restframe 1.2" of "restframe 1.2.3".
+std::string_view release_of(std::string_view program) {
+  return program.substr(0, program.rfind('.'));
+}
+
 }  // namespace
 
 Provenance provenance_of(const Scene& scene) {
-  Provenance provenance{canonical_settings(scene), {}};
+  Provenance provenance{canonical_settings(scene), {}, std::string("restframe ") + program_version};
   for (const SourceFile& source : scene.sources) {
     provenance.sources += fmt::format("{} {}\n", source.hash, source.name);
   }
@@ -57,10 +64,15 @@ Provenance provenance_of(const Scene& scene) {
 }
 
 std::vector<std::pair<std::string, std::string>> texts_of(const Provenance& provenance) {
-  return {{"restframeSettings", provenance.settings}, {"restframeSources", provenance.sources}};
+  return {{"restframeSettings", provenance.settings},
+          {"restframeSources", provenance.sources},
+          {"software", provenance.program}};
 }
 
 std::string difference(const Provenance& before, const Provenance& now) {
+  if (release_of(before.program) != release_of(now.program)) {
+    return fmt::format("by {}, this is {}", before.program, now.program);
+  }
   const auto file_changed = [](const std::string& name, const std::string&, const std::string&) {
     return name + " has changed";
   };

@@ -12,6 +12,7 @@ namespace restframe {
 struct Provenance {
   std::string settings;  // canonical_settings()
   std::string sources;   // a line a file: its hash, its name
+  std::string program;   // "restframe 1.2.3"; its last number does not change pixels
 };
 
 Provenance provenance_of(const Scene& scene);
@@ -26,6 +27,7 @@ Provenance provenance_in(const Texts& texts) {
   for (const auto& [name, text] : texts) {
     if (name == "restframeSettings") provenance.settings = text;
     if (name == "restframeSources") provenance.sources = text;
+    if (name == "software") provenance.program = text;
   }
   return provenance;
 }
