@@ -75,7 +75,7 @@ PartInfo part_info(const Provenance& provenance, int number) {
 }
 
 std::string difference(const PartInfo& before, const PartInfo& now) {
-  const std::string differs = difference(provenance_in(before.texts), provenance_in(now.texts));
+  std::string differs = difference(provenance_in(before.texts), provenance_in(now.texts));
   if (!differs.empty()) return differs;
   if (before.number != now.number) {
     return fmt::format("it is of picture {}, not {}", before.number, now.number);
