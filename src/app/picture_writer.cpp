@@ -30,17 +30,13 @@ WriteReport write_images(PictureToWrite& picture) {
 
 WriteReport write_all(PictureToWrite picture) {
   const bool preview = picture.preview && picture.views.front().has_beauty();
-  // The preview first: where the last EXR is, all of the picture is. Neither without the other.
+  // The preview first: where the last EXR is, all of the picture is. Where writing fails it stays, since it
+  // may be of a whole picture that is there; without its EXR it counts for nothing.
   if (preview) write_png(picture.files.preview, picture.views.front(), picture.development);
+  const WriteReport report = write_images(picture);
   std::error_code ignored;
-  try {
-    const WriteReport report = write_images(picture);
-    std::filesystem::remove(checkpoint_path(picture.files.whole), ignored);
-    return report;
-  } catch (...) {
-    if (preview) std::filesystem::remove(picture.files.preview, ignored);
-    throw;
-  }
+  std::filesystem::remove(checkpoint_path(picture.files.whole), ignored);
+  return report;
 }
 
 }  // namespace
