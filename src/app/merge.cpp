@@ -108,7 +108,7 @@ void merge_picture(const Merge& merge, int number, const std::vector<FoundShare>
 }
 
 // What a merge left that was interrupted when its picture was there.
-void remove_leftovers(const Merge& merge, const std::vector<int>& to_make) {
+void remove_merged_parts(const Merge& merge, const std::vector<int>& to_make) {
   if (merge.keep) return;
   std::error_code ignored;
   for (const int number : merge.job.numbers) {
@@ -143,6 +143,7 @@ int merge(const MergeOptions& options, const ImportLimits& limits) {
   set_thread_count(options.render.threads);
   const Job job = loaded_job(options.render, limits);
   const std::vector<int> numbers = pictures_to_make(job, options.render.overwrite);
+  remove_leftovers(job, numbers);
   const Show show = planned_show(options.render, job);
   const Merge merge{job, provenance_of(job.scene), common_info(job.scene), options.keep};
   const auto parts = parts_of_all(job, numbers);
@@ -152,7 +153,7 @@ int merge(const MergeOptions& options, const ImportLimits& limits) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     merge_picture(merge, numbers[i], parts[i], canvas, writer);
   }
-  remove_leftovers(merge, numbers);
+  remove_merged_parts(merge, numbers);
   writer.report();
   if (!options.render.quiet) print_result(job, numbers.size());
   make_show(show, job.scene);

@@ -128,6 +128,7 @@ int render(const RenderOptions& options, const ImportLimits& limits) {
   const Job job = loaded_job(options, limits);
   const Work work{job, options, provenance_of(job.scene)};
   std::vector<int> numbers = pictures_to_make(job, options.overwrite);
+  remove_leftovers(job, numbers);
   if (!options.overwrite) numbers = pictures_with_tiles_to_make(job, numbers, options.tile);
   const Show show = planned_show(options, job);
   prepare_folders(job, numbers);

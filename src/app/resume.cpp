@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <set>
 
+#include "app/part_files.h"
 #include "app/signals.h"
 #include "film/exr_check.h"
+#include "film/exr_decoding.h"
 #include "film/png_preview.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"
@@ -18,12 +20,31 @@ namespace restframe {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Somebody may have worked on it.
+FoundPicture changed(const fs::path& image) {
+  return {Found::changed,
+          "its bytes are not as restframe wrote them: another program's, or changed", image};
+}
+
+std::string refusal(const FoundPicture& picture) {
+  const std::string reason =
+      picture.found == Found::another
+          ? fmt::format("was made from another scene ({})", picture.difference)
+          : picture.difference;
+  return fmt::format("{}: {}; --overwrite replaces it", picture.path.string(), reason);
+}
+
+}  // namespace
+
 FoundPicture find_picture(const PictureFiles& files, int number, const Provenance& now,
                           bool with_preview) {
   bool all_there = !with_preview || is_whole_png(files.preview);
   for (const LayerFile& image : files.images) {
     const std::optional<WrittenPicture> written = written_picture(image.path);
     all_there = all_there && written;
+    if (!written && decodes(image.path)) return changed(image.path);
     if (!written) continue;
     const std::string differs = difference(provenance_in(written->texts), now);
     if (!differs.empty()) return {Found::another, differs, image.path};
@@ -57,14 +78,29 @@ std::vector<int> pictures_to_make(const Job& job, bool overwrite) {
   const std::vector<FoundPicture> found = find_pictures(job);
   std::vector<int> numbers;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const int number = job.numbers[i];
-    if (found[i].found == Found::another) {
-      throw InputError(fmt::format("{}: was made from another scene ({}); --overwrite replaces it",
-                                   found[i].path.string(), found[i].difference));
+    if (found[i].found == Found::nothing_of_use) {
+      numbers.push_back(job.numbers[i]);
+    } else if (found[i].found != Found::finished) {
+      throw InputError(refusal(found[i]));
     }
-    if (found[i].found == Found::nothing_of_use) numbers.push_back(number);
   }
   return numbers;
+}
+
+void remove_leftovers(const Job& job, const std::vector<int>& to_make) {
+  const Provenance provenance = provenance_of(job.scene);
+  std::set<fs::path> folders;
+  std::error_code ignored;
+  for (const int number : job.numbers) {
+    const fs::path picture = job.path(number);
+    if (folders.insert(folder_of(picture)).second) remove_orphans(folder_of(picture));
+    if (std::binary_search(to_make.begin(), to_make.end(), number)) continue;
+    const fs::path checkpoint = checkpoint_path(picture);
+    const auto part = part_summary(checkpoint);
+    if (part && difference(part->info, part_info(provenance, number)).empty()) {
+      fs::remove(checkpoint, ignored);
+    }
+  }
 }
 
 void prepare_folders(const Job& job, const std::vector<int>& numbers) {
@@ -72,7 +108,6 @@ void prepare_folders(const Job& job, const std::vector<int>& numbers) {
   for (const int number : numbers) {
     const fs::path path = job.path(number);
     if (!folders.insert(folder_of(path)).second) continue;
-    remove_orphans(folder_of(path));
     const AtomicFile never_committed(path);
   }
 }

@@ -12,12 +12,13 @@ namespace restframe {
 enum class Found {
   nothing_of_use,  // a file is missing, or not as it was written, or the preview is missing
   finished,
-  another,  // a whole picture that something else made
+  another,  // a whole picture of another scene
+  changed,  // a whole picture, but not as restframe wrote it
 };
 
 struct FoundPicture {
   Found found = Found::nothing_of_use;
-  std::string difference;      // of another ...
+  std::string difference;      // of another or a changed ...
   std::filesystem::path path;  // ... file
 };
 
@@ -31,12 +32,16 @@ bool has_previews(const Scene& scene);
 // Of each of the job's pictures. Throws Interrupted.
 std::vector<FoundPicture> find_pictures(const Job& job);
 
-// Those of the job's pictures that are not finished. A whole picture of another scene is an InputError
-// that says what differs; `overwrite` makes all again. Throws Interrupted.
+// Those of the job's pictures that are not finished. A whole picture of another scene or of another make
+// is an InputError that says what differs; `overwrite` makes all again. Throws Interrupted.
 std::vector<int> pictures_to_make(const Job& job, bool overwrite);
 
-// Makes the folders of these pictures and clears away what killed processes left there. Throws OutputError
-// where no file can be made: better now than after hours.
+// Clears away what killed processes left beside the job's pictures, of which these are to be made: files
+// that were being written, and checkpoints of pictures that are finished.
+void remove_leftovers(const Job& job, const std::vector<int>& to_make);
+
+// Makes the folders of these pictures. Throws OutputError where no file can be made: better now than
+// after hours.
 void prepare_folders(const Job& job, const std::vector<int>& numbers);
 
 }  // namespace restframe
