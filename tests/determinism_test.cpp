@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-#include "film/png_preview.h"
+#include "film/preview.h"
 #include "support/exr_writer.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
@@ -82,7 +82,7 @@ void write_texture(const std::filesystem::path& path) {
                                  (x + y) % 2 ? 1.0F : 0.2F, 1));
     }
   }
-  write_png(path, texture);
+  write_preview(path, texture, {});
 }
 
 std::string bytes_of(const std::filesystem::path& path) {

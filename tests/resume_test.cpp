@@ -185,13 +185,13 @@ TEST_F(Resume, PicturesOfOtherProgramsAreRefused) {
   expect_kept("tiles");
 }
 
-TEST_F(Resume, APictureWithoutAWholePreviewIsMadeAgain) {
+TEST_F(Resume, APreviewThatIsNotWholeIsMadeAgain) {
   make({"-p", "0-1"});
   const std::string exr = content("p.1.exr"), png = content("p.1.png");
   ASSERT_GT(png.size(), 60U);
   const auto expect_new_preview = [&](const std::string& what) {
     const RunResult result = render({"-p", "0-1"});
-    EXPECT_THAT(result.out, HasSubstr("1 of 2 pictures made")) << what;
+    EXPECT_THAT(result.out, HasSubstr("0 of 2 pictures made")) << what;
     EXPECT_TRUE(content("p.1.png") == png) << what;
     EXPECT_TRUE(content("p.1.exr") == exr) << what;
   };
@@ -203,6 +203,42 @@ TEST_F(Resume, APictureWithoutAWholePreviewIsMadeAgain) {
   }
   write("p.1.png", png.substr(0, 40) + std::string(png.size() - 40, '\0'));
   expect_new_preview("zeros");
+}
+
+// From the picture, that is not rendered again, and as rendering it would have made it: half and float,
+// in one file or several, of one eye or two, light apart from data.
+TEST_F(Resume, APreviewIsDevelopedFromItsPicture) {
+  const auto with = [](const std::string& keys) {
+    std::string scene = kScene;
+    return scene.replace(scene.find("layers ="), 0, keys);
+  };
+  for (const std::string& scene :
+       {with(""), with("float = [\"beauty\"]\n"), with("split = true\n"),
+        with("compression = \"pxr24\"\n"),
+        kScene + std::string(
+                     "[camera]\nposition = [0.5, 0.5, 3]\n[camera.stereo]\nseparation = 0.1\n")}) {
+    write("scene.toml", scene);
+    make({"-p", "0-1", "--overwrite"});
+    const std::string plain = content("p.1.png");
+    const std::vector<std::string> filmic = {"-p", "0-1", "--view", "filmic", "--exposure", "1"};
+    EXPECT_THAT(render(filmic).out, HasSubstr("0 of 2 pictures made")) << scene;
+    const std::string developed = content("p.1.png");
+    EXPECT_FALSE(developed == plain) << scene;
+    EXPECT_THAT(render({"-p", "0-1"}).out, HasSubstr("0 of 2 pictures made")) << scene;
+    EXPECT_TRUE(content("p.1.png") == plain) << scene;
+    std::vector<std::string> again = filmic;
+    again.emplace_back("--overwrite");
+    make(again);
+    EXPECT_TRUE(content("p.1.png") == developed) << scene;
+  }
+}
+
+TEST_F(Resume, APreviewOfAnotherPictureIsMadeAgain) {
+  make({"-p", "0-1"});
+  const std::string png = content("p.1.png");
+  fs::copy_file(path("p.0.png"), path("p.1.png"), fs::copy_options::overwrite_existing);
+  EXPECT_THAT(render({"-p", "0-1"}).out, HasSubstr("0 of 2 pictures made"));
+  EXPECT_TRUE(content("p.1.png") == png);
 }
 
 TEST_F(Resume, APictureOfWhichALayerIsMissingIsMadeAgain) {

@@ -9,6 +9,7 @@
 #include "app/part_files.h"
 #include "app/picture_files.h"
 #include "app/picture_writer.h"
+#include "app/previews.h"
 #include "app/resume.h"
 #include "app/showing.h"
 #include "app/signals.h"
@@ -142,12 +143,13 @@ std::vector<std::vector<FoundShare>> parts_of_all(const Job& job, const std::vec
 int merge(const MergeOptions& options, const ImportLimits& limits) {
   set_thread_count(options.render.threads);
   const Job job = loaded_job(options.render, limits);
-  const std::vector<int> numbers = pictures_to_make(job, options.render.overwrite);
+  const auto [numbers, previews] = what_to_make(job, options.render.overwrite);
   remove_leftovers(job, numbers);
   const Show show = planned_show(options.render, job);
   const Merge merge{job, provenance_of(job.scene), common_info(job.scene), options.keep};
   const auto parts = parts_of_all(job, numbers);
   prepare_folders(job, numbers);
+  develop_previews(job, previews);
   Canvas canvas(job.scene);
   PictureWriter writer(job.scene.output);
   for (std::size_t i = 0; i < numbers.size(); ++i) {

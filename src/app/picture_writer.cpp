@@ -6,7 +6,7 @@
 
 #include "app/messages.h"
 #include "app/part_files.h"
-#include "film/png_preview.h"
+#include "app/previews.h"
 
 namespace restframe {
 namespace {
@@ -15,8 +15,7 @@ struct PictureToWrite {
   PictureFiles files;
   std::span<const Picture> views;
   PictureInfo info;
-  bool preview = false;
-  Development development;
+  OutputSettings settings;
 };
 
 WriteReport write_images(PictureToWrite& picture) {
@@ -28,11 +27,17 @@ WriteReport write_images(PictureToWrite& picture) {
   return report;
 }
 
+void write_preview_of(const PictureToWrite& picture) {
+  const PictureInfo& info = picture.info;
+  const std::string label = preview_label(provenance_in(info.texts), info.number, picture.settings);
+  write_preview(picture.files.preview, picture.views.front(),
+                {development(picture.settings), info.float_beauty, label});
+}
+
 WriteReport write_all(PictureToWrite picture) {
-  const bool preview = picture.preview && picture.views.front().has_beauty();
   // The preview first: where the last EXR is, all of the picture is. Where writing fails it stays, since it
   // may be of a whole picture that is there; without its EXR it counts for nothing.
-  if (preview) write_png(picture.files.preview, picture.views.front(), picture.development);
+  if (picture.settings.preview && picture.views.front().has_beauty()) write_preview_of(picture);
   const WriteReport report = write_images(picture);
   std::error_code ignored;
   std::filesystem::remove(checkpoint_path(picture.files.whole), ignored);
@@ -51,9 +56,8 @@ void PictureWriter::write(PictureFiles files, std::span<const Picture> views, Pi
   if (std::all_of(views.begin(), views.end(), [](const Picture& p) { return p.shows_nothing(); })) {
     ++empty_;
   }
-  pending_ =
-      std::async(std::launch::async, write_all,
-                 PictureToWrite{std::move(files), views, std::move(info), preview_, development_});
+  pending_ = std::async(std::launch::async, write_all,
+                        PictureToWrite{std::move(files), views, std::move(info), settings_});
 }
 
 void PictureWriter::finish() {

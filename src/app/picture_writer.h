@@ -4,15 +4,13 @@
 #include <future>
 
 #include "app/picture_files.h"
-#include "film/view_transform.h"
 
 namespace restframe {
 
 // Writes a picture while the next one renders.
 class PictureWriter {
  public:
-  explicit PictureWriter(const OutputSettings& settings)
-      : preview_(settings.preview), development_(development(settings)) {}
+  explicit PictureWriter(const OutputSettings& settings) : settings_(settings) {}
   ~PictureWriter();
 
   // Waits for the picture before; rethrows what went wrong with it. `views`, one an eye, must stay as they
@@ -25,8 +23,7 @@ class PictureWriter {
   void report() const;
 
  private:
-  bool preview_;
-  Development development_;
+  OutputSettings settings_;
   std::future<WriteReport> pending_;
   WriteReport report_;
   std::size_t written_ = 0, empty_ = 0;

@@ -63,6 +63,12 @@ Provenance provenance_of(const Scene& scene) {
   return provenance;
 }
 
+std::string pixel_text(const Provenance& provenance) {
+  std::string text = provenance.settings;
+  for (const auto& [name, hash] : assets_in(provenance.sources)) text += hash + " " + name + "\n";
+  return text;
+}
+
 std::vector<std::pair<std::string, std::string>> texts_of(const Provenance& provenance) {
   return {{"restframeSettings", provenance.settings},
           {"restframeSources", provenance.sources},

@@ -17,6 +17,9 @@ struct Provenance {
 
 Provenance provenance_of(const Scene& scene);
 
+// What pixels depend on, within a release: the settings and the assets, not how the scene file is written.
+std::string pixel_text(const Provenance& provenance);
+
 // Names and values of the header's attributes.
 std::vector<std::pair<std::string, std::string>> texts_of(const Provenance& provenance);
 

@@ -9,6 +9,7 @@
 #include "app/part_files.h"
 #include "app/picture_files.h"
 #include "app/picture_writer.h"
+#include "app/previews.h"
 #include "app/progress.h"
 #include "app/render_picture.h"
 #include "app/resume.h"
@@ -127,11 +128,13 @@ int render(const RenderOptions& options, const ImportLimits& limits) {
   set_thread_count(options.threads);
   const Job job = loaded_job(options, limits);
   const Work work{job, options, provenance_of(job.scene)};
-  std::vector<int> numbers = pictures_to_make(job, options.overwrite);
+  const ToMake to_make = what_to_make(job, options.overwrite);
+  std::vector<int> numbers = to_make.pictures;
   remove_leftovers(job, numbers);
   if (!options.overwrite) numbers = pictures_with_tiles_to_make(job, numbers, options.tile);
   const Show show = planned_show(options, job);
   prepare_folders(job, numbers);
+  if (!options.tile) develop_previews(job, to_make.previews);
   if (!numbers.empty()) render_pictures(work, numbers);
   if (!options.quiet && options.tile) print_shares(work, numbers.size());
   if (!options.quiet && !options.tile) print_result(job, numbers.size());

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/part_files.h"
+#include "app/previews.h"
 #include "app/signals.h"
 #include "film/exr_check.h"
 #include "film/exr_decoding.h"
@@ -39,8 +40,8 @@ std::string refusal(const FoundPicture& picture) {
 }  // namespace
 
 FoundPicture find_picture(const PictureFiles& files, int number, const Provenance& now,
-                          bool with_preview) {
-  bool all_there = !with_preview || is_whole_png(files.preview);
+                          const OutputSettings& settings, bool with_preview) {
+  bool all_there = true;
   for (const LayerFile& image : files.images) {
     const std::optional<WrittenPicture> written = written_picture(image.path);
     all_there = all_there && written;
@@ -53,38 +54,38 @@ FoundPicture find_picture(const PictureFiles& files, int number, const Provenanc
               image.path};
     }
   }
-  return {all_there ? Found::finished : Found::nothing_of_use, {}, {}};
-}
-
-bool has_previews(const Scene& scene) {
-  const auto& layers = scene.output.layers;
-  return scene.output.preview &&
-         std::find(layers.begin(), layers.end(), Layer::beauty) != layers.end();
+  if (!all_there) return {};
+  const bool shown =
+      !with_preview || is_whole_png(files.preview, preview_label(now, number, settings));
+  return {shown ? Found::finished : Found::finished_without_preview, {}, {}};
 }
 
 std::vector<FoundPicture> find_pictures(const Job& job) {
   const Provenance now = provenance_of(job.scene);
+  const bool with_previews = has_previews(job.scene);
   std::vector<FoundPicture> found(job.numbers.size());
   parallel_for(found.size(), [&](std::size_t i) {
     if (interrupt_requested()) throw Interrupted();
     const int number = job.numbers[i];
-    found[i] = find_picture(job.files(number), number, now, has_previews(job.scene));
+    found[i] = find_picture(job.files(number), number, now, job.scene.output, with_previews);
   });
   return found;
 }
 
-std::vector<int> pictures_to_make(const Job& job, bool overwrite) {
-  if (overwrite) return job.numbers;
+ToMake what_to_make(const Job& job, bool overwrite) {
+  if (overwrite) return {job.numbers, {}};
   const std::vector<FoundPicture> found = find_pictures(job);
-  std::vector<int> numbers;
+  ToMake to_make;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i].found == Found::nothing_of_use) {
-      numbers.push_back(job.numbers[i]);
+      to_make.pictures.push_back(job.numbers[i]);
+    } else if (found[i].found == Found::finished_without_preview) {
+      to_make.previews.push_back(job.numbers[i]);
     } else if (found[i].found != Found::finished) {
       throw InputError(refusal(found[i]));
     }
   }
-  return numbers;
+  return to_make;
 }
 
 void remove_leftovers(const Job& job, const std::vector<int>& to_make) {

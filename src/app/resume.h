@@ -10,10 +10,11 @@
 namespace restframe {
 
 enum class Found {
-  nothing_of_use,  // a file is missing, or not as it was written, or the preview is missing
+  nothing_of_use,  // a file is missing, or not as it was written
   finished,
-  another,  // a whole picture of another scene
-  changed,  // a whole picture, but not as restframe wrote it
+  finished_without_preview,  // it is missing, or of another scene, view or exposure
+  another,                   // a whole picture of another scene
+  changed,                   // a whole picture, but not as restframe wrote it
 };
 
 struct FoundPicture {
@@ -24,17 +25,19 @@ struct FoundPicture {
 
 // What is there under a picture's name.
 FoundPicture find_picture(const PictureFiles& files, int number, const Provenance& now,
-                          bool with_preview);
-
-// Whether a PNG goes beside each picture.
-bool has_previews(const Scene& scene);
+                          const OutputSettings& settings, bool with_preview);
 
 // Of each of the job's pictures. Throws Interrupted.
 std::vector<FoundPicture> find_pictures(const Job& job);
 
-// Those of the job's pictures that are not finished. A whole picture of another scene or of another make
+struct ToMake {
+  std::vector<int> pictures;  // with their previews
+  std::vector<int> previews;  // of finished pictures
+};
+
+// What of the job is not finished. A whole picture of another scene or of another make
 // is an InputError that says what differs; `overwrite` makes all again. Throws Interrupted.
-std::vector<int> pictures_to_make(const Job& job, bool overwrite);
+ToMake what_to_make(const Job& job, bool overwrite);
 
 // Clears away what killed processes left beside the job's pictures, of which these are to be made: files
 // that were being written, and checkpoints of pictures that are finished.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/contact_sheet.h"
-#include "app/resume.h"
+#include "app/previews.h"
 #include "app/video.h"
 #include "scene/atomic_file.h"
 #include "scene/error.h"

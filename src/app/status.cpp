@@ -37,7 +37,7 @@ PictureStates states_of(const Job& job) {
     const int number = job.numbers[i];
     if (pictures[i].found == Found::finished) {
       states.finished.push_back(number);
-    } else if (pictures[i].found != Found::nothing_of_use) {
+    } else if (!pictures[i].difference.empty()) {
       if (states.difference.empty()) states.difference = pictures[i].difference;
       states.of_another_scene.push_back(number);
     } else if (is_any_there(job.files(number))) {

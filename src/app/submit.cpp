@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "app/child_process.h"
@@ -119,7 +120,10 @@ void submit_plan(const SlurmPlan& plan, const fs::path& sbatch, std::size_t coun
 
 int submit(const SubmitOptions& options, const ImportLimits& limits) {
   const Job job = loaded_job(options.render, limits);
-  const std::vector<int> numbers = pictures_to_make(job, options.render.overwrite);
+  const ToMake to_make = what_to_make(job, options.render.overwrite);
+  std::vector<int> numbers;
+  std::merge(to_make.pictures.begin(), to_make.pictures.end(), to_make.previews.begin(),
+             to_make.previews.end(), std::back_inserter(numbers));
   if (numbers.empty()) {
     fmt::print("all {} pictures are there already; nothing was submitted\n", job.numbers.size());
     return 0;

@@ -37,6 +37,10 @@ std::vector<float> float_times(const std::vector<double>& times, double origin) 
   return result;
 }
 
+float within(float value, float largest) {
+  return std::isnan(value) ? 0.0F : glm::clamp(value, -largest, largest);
+}
+
 // The beauty within the range of the type in which it is stored.
 template <class Stored>
 std::vector<Stored> stored_beauty(const Picture& picture, float largest, std::size_t& changed) {
@@ -44,7 +48,7 @@ std::vector<Stored> stored_beauty(const Picture& picture, float largest, std::si
   result.reserve(4 * picture.rgba().size());
   for (const Vec4f& pixel : picture.rgba()) {
     for (int i = 0; i < 4; ++i) {
-      const float value = std::isnan(pixel[i]) ? 0.0F : glm::clamp(pixel[i], -largest, largest);
+      const float value = within(pixel[i], largest);
       if (value != pixel[i]) ++changed;
       result.emplace_back(value);
     }
@@ -66,6 +70,11 @@ std::vector<half> stored_data(const std::vector<float>& values, std::size_t& cha
 }
 
 }  // namespace
+
+float stored_light(float value, bool as_float) {
+  if (as_float) return within(value, std::numeric_limits<float>::max());
+  return static_cast<float>(half(within(value, largest_half)));
+}
 
 StoredPicture::StoredPicture(std::span<const Picture> views, const PictureInfo& info)
     : time_origins_(time_origin(views, ChannelKind::time_proper),

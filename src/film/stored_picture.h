@@ -19,6 +19,9 @@ struct StoredChannel {
   std::size_t stride = 0;
 };
 
+// A component of the beauty as it is stored: within the range of the type, and with its precision.
+float stored_light(float value, bool as_float);
+
 // The channels of a picture in the types in which they are stored, within these types' ranges.
 class StoredPicture {
  public:
