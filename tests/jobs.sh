@@ -277,8 +277,17 @@ test_company() {
   run "${animation[@]}" --output company/p.####.exr
   ended 0
   whole company reference
-  for _ in 1 2; do "${still[@]}" --output both/p.exr 2>error.txt & done
-  wait
+  "${still[@]}" --output both/p.exr 2>error.txt &
+  first=$!
+  "${still[@]}" --output both/p.exr 2>other.txt &
+  second=$!
+  running=("$first" "$second")
+  status=0
+  wait $second || status=$?
+  [ $status -eq 0 ] || fail "one of two: exit code $status: $(cat other.txt)"
+  wait $first || status=$?
+  ended 0
+  running=()
   same both still_reference
   [ -e both/p.exr ] || fail "two made no picture"
   say "two processes on one folder: every picture whole"

@@ -138,7 +138,7 @@ remove_packages() {
 }
 
 why_not_installed() {
-  if dpkg-query -W restframe librestframe-dev >/dev/null 2>&1; then
+  if dpkg-query -W restframe >/dev/null 2>&1 || dpkg-query -W librestframe-dev >/dev/null 2>&1; then
     echo "this machine has a restframe already"
   elif [ "$(id -u)" -ne 0 ] && ! sudo -n true 2>/dev/null; then
     echo "neither root nor sudo is at hand"

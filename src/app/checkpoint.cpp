@@ -1,7 +1,6 @@
 #include "app/checkpoint.h"
 
 #include "app/messages.h"
-#include "scene/error.h"
 
 namespace restframe {
 
@@ -32,7 +31,7 @@ void Checkpoints::work(std::chrono::duration<double> interval) {
 void Checkpoints::write() {
   try {
     write_part(path_, info_, views_, stop_);
-  } catch (const OutputError& error) {
+  } catch (const std::exception& error) {  // out of memory, too: the picture matters more
     if (!std::exchange(warned_, true)) {
       report_warning(std::string("no checkpoint: ") + error.what());
     }

@@ -26,6 +26,15 @@ bool read_number(std::string_view& text, std::string_view after, int& number) {
   return true;
 }
 
+// Throws InputError if the part file belongs to another picture.
+std::optional<PartSummary> checked_summary(const fs::path& path, const PartInfo& now) {
+  auto part = part_summary(path);
+  const std::string differs = part ? difference(part->info, now) : std::string();
+  if (differs.empty()) return part;
+  throw InputError(fmt::format("{}: was made from another scene ({}); --overwrite replaces it",
+                               path.string(), differs));
+}
+
 bool is_finished(const PartSummary& part, const std::vector<std::size_t>& tiles) {
   return std::all_of(part.done.begin(), part.done.end(), [&](std::vector<std::size_t> done) {
     std::sort(done.begin(), done.end());
@@ -75,12 +84,15 @@ PartInfo part_info(const Provenance& provenance, int number) {
 }
 
 std::string difference(const PartInfo& before, const PartInfo& now) {
-  std::string differs = difference(provenance_in(before.texts), provenance_in(now.texts));
+  const Provenance then = provenance_in(before.texts);
+  const Provenance today = provenance_in(now.texts);
+  std::string differs = difference(then, today);
   if (!differs.empty()) return differs;
   if (before.number != now.number) {
     return fmt::format("it is of picture {}, not {}", before.number, now.number);
   }
-  return before.texts == now.texts ? "" : "by another version of restframe";
+  // Within one picture, every repair of the program counts.
+  return then.program == today.program ? "" : "by another version of restframe";
 }
 
 std::vector<int> pictures_with_tiles_to_make(const Job& job, const std::vector<int>& numbers,
@@ -90,16 +102,11 @@ std::vector<int> pictures_with_tiles_to_make(const Job& job, const std::vector<i
   std::vector<int> to_make;
   for (const int number : numbers) {
     if (interrupt_requested()) throw Interrupted();
-    const fs::path path =
-        share ? share_path(job.path(number), *share) : checkpoint_path(job.path(number));
-    const auto part = part_summary(path);
-    const std::string differs =
-        part ? difference(part->info, part_info(provenance, number)) : std::string();
-    if (!differs.empty()) {
-      throw InputError(fmt::format("{}: was made from another scene ({}); --overwrite replaces it",
-                                   path.string(), differs));
-    }
-    if (!share || !part || !is_finished(*part, tiles_of(*share, tiles))) to_make.push_back(number);
+    const PartInfo now = part_info(provenance, number);
+    const fs::path whole = share ? share_path(job.path(number), *share) : job.path(number);
+    checked_summary(checkpoint_path(whole), now);
+    const auto part = share ? checked_summary(whole, now) : std::nullopt;
+    if (!part || !is_finished(*part, tiles_of(*share, tiles))) to_make.push_back(number);
   }
   return to_make;
 }

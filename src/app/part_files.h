@@ -10,8 +10,8 @@
 
 namespace restframe {
 
-// Where the tiles of a picture are kept until it is whole: "p.0007.exr.part"; and where one of several
-// machines leaves its share of them: "p.0007.exr.part-03-of-16".
+// Where the tiles of a picture, or of a share of it, are kept until it is whole: "p.0007.exr.part"; and where
+// one of several machines leaves its share of them: "p.0007.exr.part-03-of-16".
 std::filesystem::path checkpoint_path(const std::filesystem::path& picture);
 std::filesystem::path share_path(const std::filesystem::path& picture, const TileShare& share);
 

@@ -27,9 +27,10 @@ struct Work {
   const RenderOptions& options;
   Provenance provenance;
 
-  fs::path part_path(int number) const {
+  // Of a picture, or of the share of it that is asked for.
+  fs::path path(int number) const {
     const fs::path picture = job.path(number);
-    return options.tile ? share_path(picture, *options.tile) : checkpoint_path(picture);
+    return options.tile ? share_path(picture, *options.tile) : picture;
   }
   std::vector<std::size_t> tiles(const Canvas& canvas) const {
     return tiles_of(options.tile.value_or(TileShare{}), canvas.tiles.size());
@@ -51,10 +52,10 @@ std::vector<std::size_t> unmarked(std::vector<std::size_t> tiles, const TileMark
   return tiles;
 }
 
-// Renders those tiles of a picture that its part file, if there is one, does not hold.
+// Renders those tiles of a picture, or of the share of it, that its checkpoint, if there is one, does not hold.
 void complete(const Work& work, const RenderContext& context, int number, Canvas& canvas,
               Progress& progress) {
-  const fs::path path = work.part_path(number);
+  const fs::path path = checkpoint_path(work.path(number));
   const PartInfo now = part_info(work.provenance, number);
   canvas.clear();
   const auto before = read_part(path, canvas.views());
@@ -71,6 +72,14 @@ void complete(const Work& work, const RenderContext& context, int number, Canvas
   for (std::size_t i = 0; i < left.size(); ++i) {
     render_tiles(context, number, left[i], canvas.pictures[i], canvas.done[i], canvas.eyes[i]);
   }
+}
+
+// A checkpoint of its own lets another process's, of the same share, never take its place.
+void write_share(const Work& work, int number, const Canvas& canvas) {
+  write_part(work.path(number), part_info(work.provenance, number), canvas.views(),
+             std::atomic<bool>(false));
+  std::error_code ignored;
+  fs::remove(checkpoint_path(work.path(number)), ignored);
 }
 
 void render_pictures(const Work& work, const std::vector<int>& numbers) {
@@ -95,8 +104,7 @@ void render_pictures(const Work& work, const std::vector<int>& numbers) {
     Canvas& canvas = canvases[current];
     complete(work, context, number, canvas, progress);
     if (work.options.tile) {
-      write_part(work.part_path(number), part_info(work.provenance, number), canvas.views(),
-                 std::atomic<bool>(false));
+      write_share(work, number, canvas);
     } else {
       writer.write(work.job.files(number), canvas.pictures, picture_info(common, scene, number));
     }
@@ -113,8 +121,8 @@ void print_shares(const Work& work, std::size_t made) {
       "tile {}/{} of {} of {} pictures made{}: {}{}\n", work.options.tile->part,
       work.options.tile->count, made, numbers.size(),
       made < numbers.size() ? fmt::format(", {} were there already", numbers.size() - made) : "",
-      work.part_path(numbers.front()).string(),
-      numbers.size() == 1 ? "" : " to " + work.part_path(numbers.back()).string());
+      work.path(numbers.front()).string(),
+      numbers.size() == 1 ? "" : " to " + work.path(numbers.back()).string());
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ std::string directive(const std::string& option) {
 std::string common_directives(const SlurmPlan& plan) {
   std::string text = directive("--mem=" + memory_of(plan)) + directive("--ntasks=1") +
                      directive("--requeue") + directive("--open-mode=append");
+  if (!plan.time.empty()) text += directive("--time=" + plan.time);  // some ask for it of every job
   if (!plan.partition.empty()) text += directive("--partition=" + plan.partition);
   for (const std::string& option : plan.directives) text += directive(option);
   return text;
@@ -91,7 +92,6 @@ std::string render_script(const SlurmPlan& plan) {
   text += directive(fmt::format("--array=0-{}", plan.tasks.size() - 1));
   text += directive(fmt::format("--cpus-per-task={}", plan.needs.cores));
   text += common_directives(plan);
-  if (!plan.time.empty()) text += directive("--time=" + plan.time);
   text += fmt::format(R"(
 # The pictures of each task, from task 0 on.
 set -- {}

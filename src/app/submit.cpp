@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/info_words.h"
 #include "app/number_ranges.h"
+#include "app/part_files.h"
 #include "app/resume.h"
 #include "app/slurm_queue.h"
 #include "app/slurm_script.h"
@@ -116,6 +117,19 @@ void submit_plan(const SlurmPlan& plan, const fs::path& sbatch, std::size_t coun
              plan.folder.string());
 }
 
+// Two arrays for the same pictures would make each twice.
+void check_queue(const fs::path& folder, const std::string& pattern) {
+  const std::vector<std::string> arrays = recorded_arrays(folder);
+  const auto squeue = program_on_path("squeue");
+  if (arrays.empty() || !squeue) return;
+  const QueueCounts queue = queue_counts(*squeue, slurm_job_name(pattern), arrays);
+  if (queue.running + queue.waiting == 0) return;
+  throw InputError(
+      fmt::format("submit: of the arrays submitted before, {} tasks run and {} wait; `restframe "
+                  "status` tells when they are done, scancel ends them (arrays {})",
+                  queue.running, queue.waiting, fmt::join(arrays, ", ")));
+}
+
 }  // namespace
 
 int submit(const SubmitOptions& options, const ImportLimits& limits) {
@@ -128,8 +142,11 @@ int submit(const SubmitOptions& options, const ImportLimits& limits) {
     fmt::print("all {} pictures are there already; nothing was submitted\n", job.numbers.size());
     return 0;
   }
-  check_folder(slurm_folder(fs::absolute(job.scene.output.path).string()));
+  if (!options.render.overwrite) pictures_with_tiles_to_make(job, numbers, std::nullopt);
+  const std::string pattern = fs::absolute(job.scene.output.path).string();
+  check_folder(slurm_folder(pattern));
   const fs::path sbatch = options.dry_run ? fs::path() : checked_sbatch();
+  if (!options.dry_run) check_queue(slurm_folder(pattern), pattern);
   const SlurmPlan plan = plan_of(options, job, numbers);
   write_scripts(plan);
   if (!options.dry_run) {

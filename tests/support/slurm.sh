@@ -71,6 +71,7 @@ all_run() {
 # Fails with the reason in slurm_fault.
 start_slurm() {
   local folder=$1 end=$((SECONDS + 20))
+  PATH=$PATH:/usr/sbin:/sbin # where the daemons are, and users do not look
   mkdir -p "$folder/state" "$folder/spool"
   chmod 755 "$(dirname "$folder")" "$folder" # munged wants its socket within everybody's reach
   (umask 077 && head -c 1024 /dev/urandom >"$folder/munge.key")
@@ -92,7 +93,7 @@ start_slurm() {
     sleep 0.2
   done
   # shellcheck disable=SC2034
-  slurm_fault=$(cat "$folder"/{munge,slurmd,slurmctld}.out.log | grep -iE 'error|fatal' | tail -n 1)
+  slurm_fault=$(cat "$folder"/{munge,slurmd,slurmctld}.out.log | grep -iE 'error|fatal|not found' | tail -n 1)
   return 1
 }
 

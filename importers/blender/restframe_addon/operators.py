@@ -44,14 +44,23 @@ class Calling:
         return "at work"
 
     def modal(self, context, event):
-        if event.type == "ESC":
+        if event.type == "ESC" and event.value == "PRESS":
             self.job.stop()
         if not self.job.is_done():
             context.workspace.status_text_set(f"restframe: {self.progress()}. Esc stops it")
             return {"PASS_THROUGH"}
+        self.let_go(context)
+        return self.finish(context)
+
+    def cancel(self, context):
+        """Blender takes another file, say."""
+        self.job.stop()
+        self.job.finish()
+        self.let_go(context)
+
+    def let_go(self, context):
         context.window_manager.event_timer_remove(self.timer)
         context.workspace.status_text_set(None)
-        return self.finish(context)
 
     def finish(self, context):
         code, lines = self.job.finish()

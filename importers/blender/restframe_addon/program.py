@@ -25,6 +25,7 @@ class Job:
         except OSError as error:
             self.said.close()
             raise RuntimeError(NOT_FOUND.format(f'"{name}"')) from error
+        self.lines = None
         running.append(self)
 
     def is_done(self):
@@ -35,14 +36,14 @@ class Job:
         self.process.terminate()
 
     def finish(self):
-        """Its exit code and the lines it said."""
+        """Its exit code and the lines it said; again, the same."""
         code = self.process.wait()
-        if self in running:
+        if self.lines is None:
             running.remove(self)
-        self.said.seek(0)
-        lines = self.said.read().splitlines()
-        self.said.close()
-        return code, lines
+            self.said.seek(0)
+            self.lines = self.said.read().splitlines()
+            self.said.close()
+        return code, self.lines
 
 
 def stop_all():
