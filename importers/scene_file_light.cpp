@@ -212,7 +212,8 @@ std::optional<std::string> read_group(TableReader& table) {
   auto group = table.text("group");
   if (group && !is_group_name(*group)) {
     table.report(table.place("group"),
-                 fmt::format("group is \"{}\", must be letters, digits, _ and - only", *group));
+                 fmt::format("group is \"{}\", must be up to {} letters, digits, _ and -", *group,
+                             longest_group_name));
   }
   return group;
 }

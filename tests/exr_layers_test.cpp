@@ -147,7 +147,7 @@ TEST(ExrTypes, AreHalfOrFloatByLayer) {
   info.half_layers = {"N", "depth"};
   const ExrPicture exr = in_one_part(picture, info);
   for (const auto& [name, type] : exr.types) {
-    const bool half = !is_data(name) || name.starts_with("N.") || name.starts_with("depth.");
+    const bool half = !is_data(name) || name.starts_with("N.") || name.starts_with("depth_planar.");
     EXPECT_EQ(type, half ? "half" : "float") << name;
   }
   info.float_beauty = true;

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "film/exr_file.h"
+#include "film/sample_sum.h"
 #include "scene/error.h"
 #include "support/exr_reader.h"
 #include "support/temporary_folder.h"
@@ -81,6 +82,23 @@ const std::vector<Layer> all_layers = {Layer::beauty,
                                        Layer::albedo,
                                        Layer::depth,
                                        Layer::apparent_normal};
+
+// Added one by one, so many floats would be off by 6e-4.
+TEST(SampleSum, KeepsDigitsOfManySamples) {
+  constexpr int samples = 65'536;
+  SampleSum subtotals;
+  RadianceLanes sum;
+  sum.fill(Vec4f(0));
+  for (int i = 0; i < samples; ++i) {
+    for (Vec4f& lane : sum.lane) lane += Vec4f(0.1F, 0.7F, 1e-3F, 1);
+    subtotals.take_subtotal(i, sum);
+  }
+  subtotals.complete(sum);
+  const double expected[4] = {0.1, 0.7, 1e-3, 1};
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(static_cast<double>(sum[5][i]) / samples / expected[i], 1, 1e-6) << i;
+  }
+}
 
 TEST(Layers, TheTableHasEachOnce) {
   std::set<Layer> layers;

@@ -109,7 +109,7 @@ struct MeasuredBlock {
     store(block, radiance, picture);
     store_parts(block, parts, replicates.samples(), picture);
     const int samples = replicates.samples() * exposure().count;
-    store_mattes(block, samples, picture);
+    store_mattes(block, samples, alpha_over_mean(radiance), picture);
     if (!picture.has_statistics()) return;
     for_pixels(block, [&](int x, int y, int lane) {
       picture.set_statistics(x, y, {replicates.variance(lane), samples});
@@ -117,6 +117,18 @@ struct MeasuredBlock {
   }
 
  private:
+  // Of `radiance`, the exposures together, as ExposureTotal::alpha_over_mean.
+  Lanes<float> alpha_over_mean(const RadianceLanes& radiance) const {
+    const auto count =
+        static_cast<float>(exposure().combine == Combine::mean ? 1 : exposure().count);
+    Lanes<float> ratio;
+    for (int i = 0; i < packet_size; ++i) {
+      const float mean = replicates.mean(i).w / count;
+      ratio[i] = mean > 0.0F ? radiance[i].w / mean : 1.0F;
+    }
+    return ratio;
+  }
+
   void judge() {
     judged = block.active;
     const PixelWindow display = display_window(block.view.context.scene.render);

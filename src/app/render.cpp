@@ -75,7 +75,7 @@ void complete(const Work& work, const RenderContext& context, int number, Canvas
 }
 
 // A checkpoint of its own lets another process's, of the same share, never take its place.
-void write_share(const Work& work, int number, const Canvas& canvas) {
+void write_share(const Work& work, int number, Canvas& canvas) {
   write_part(work.path(number), part_info(work.provenance, number), canvas.views(),
              std::atomic<bool>(false));
   std::error_code ignored;

@@ -171,10 +171,14 @@ void store(const Block<Tracer>& block, const RadianceLanes& radiance, Picture& p
 }
 
 template <class Tracer>
-void store_mattes(const Block<Tracer>& block, int samples, Picture& picture) {
+void store_mattes(const Block<Tracer>& block, int samples, const Lanes<float>& scale,
+                  Picture& picture) {
   for (const MatteKind kind : picture.mattes()) {
     for_pixels(block, [&](int x, int y, int lane) {
-      picture.set_matte(x, y, kind, matte_ranks(block.covers->of(kind, lane), samples));
+      picture.set_matte(
+          x, y, kind,
+          matte_ranks(block.covers->of(kind, lane),
+                      static_cast<double>(samples) / static_cast<double>(scale[lane])));
     });
   }
 }

@@ -9,6 +9,7 @@
 #include "app/render_block.h"
 #include "app/signals.h"
 #include "film/exposures.h"
+#include "film/sample_sum.h"
 #include "scene/error.h"
 #include "scene/light_groups.h"
 #include "scene/parallel.h"
@@ -35,6 +36,7 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
       static_cast<std::uint32_t>(bits + bits_for(block.view.context.scene.exposure.count));
   CameraSampler::Starts starts;
   sampler.start(id, starts);
+  SampleSum subtotals;
   for (int index = 0; index < samples; ++index) {
     if (interrupt_requested()) throw Interrupted();
     id.sample = first + static_cast<std::uint32_t>(index);
@@ -50,7 +52,9 @@ void render_exposure(Block<Tracer>& block, int exposure, int samples, bool with_
     }
     if (parts.are_wanted()) parts.add_sample();
     if (index > 0) add(sum, next);
+    subtotals.take_subtotal(index, sum);
   }
+  subtotals.complete(sum);
 }
 
 template <class Tracer>
@@ -86,7 +90,7 @@ void render_block(Block<Tracer>& block, Picture& picture) {
   }
   store(block, total.combined(), picture);
   store_parts(block, parts, samples, picture);
-  store_mattes(block, samples * exposures, picture);
+  store_mattes(block, samples * exposures, total.alpha_over_mean(), picture);
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
 
@@ -142,8 +146,8 @@ std::size_t samples_a_pixel(const Scene& scene) {
 
 bool measures_noise(const Scene& scene) {
   const OutputSettings& output = scene.output;
-  return has_layer(output.layers, Layer::beauty) &&
-         (scene.render.noise > 0.0 || has_layer(output.layers, Layer::variance));
+  if (has_layer(output.layers, Layer::variance)) return true;
+  return scene.render.noise > 0.0 && takes_all_samples(output.layers);
 }
 
 Picture blank_picture(const Scene& scene) {

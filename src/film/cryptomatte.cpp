@@ -141,7 +141,7 @@ MatteIds matte_ids(const Scene& scene) {
   return ids;
 }
 
-MatteRanks matte_ranks(std::span<const Cover> covers, int samples) {
+MatteRanks matte_ranks(std::span<const Cover> covers, double samples) {
   std::array<Cover, MatteRanks().size()> largest;
   const auto end =
       std::partial_sort_copy(covers.begin(), covers.end(), largest.begin(), largest.end(),

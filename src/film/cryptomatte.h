@@ -34,7 +34,7 @@ struct MatteRank {
 using MatteRanks = std::array<MatteRank, 6>;
 
 // The largest, in falling order; those of one size by their ids. samples: of the pixel, of all exposures.
-MatteRanks matte_ranks(std::span<const Cover> covers, int samples);
+MatteRanks matte_ranks(std::span<const Cover> covers, double samples);
 
 // "crypto_object00.R" and so on: two ranks in each four.
 std::vector<std::string> matte_channels(const std::string& layer);

@@ -13,6 +13,7 @@ class ExposureTotal {
 
   // The next exposure: `scale` times what its samples add up to.
   void add(const RadianceLanes& samples, float scale) {
+    if (share_ != 1.0F) add_alpha(samples, scale);
     if (is_first_) {
       for (int i = 0; i < packet_size; ++i) total_[i] = scale * samples[i];
     } else {
@@ -21,6 +22,16 @@ class ExposureTotal {
       }
     }
     is_first_ = false;
+  }
+
+  // After combined(): how much more is covered than the mean of the exposures covers, where they add up.
+  Lanes<float> alpha_over_mean() const {
+    Lanes<float> ratio;
+    ratio.fill(1.0F);
+    for (int i = 0; share_ != 1.0F && i < packet_size; ++i) {
+      if (alpha_[i] > 0.0F) ratio[i] = total_[i].w / (alpha_[i] * share_);
+    }
+    return ratio;
   }
 
   // After the last one.
@@ -32,6 +43,12 @@ class ExposureTotal {
   }
 
  private:
+  void add_alpha(const RadianceLanes& samples, float scale) {
+    for (int i = 0; i < packet_size; ++i) {
+      alpha_[i] = (is_first_ ? 0.0F : alpha_[i]) + scale * samples[i].w;
+    }
+  }
+
   Vec4f taken_together(const Vec4f& total, const Vec4f& next) const {
     switch (combine_) {
       case Combine::sum: {
@@ -52,6 +69,7 @@ class ExposureTotal {
   float share_;
   bool is_first_ = true;
   RadianceLanes total_;
+  Lanes<float> alpha_;  // of all exposures, added up
 };
 
 }  // namespace restframe

@@ -14,8 +14,8 @@ double luminance(const glm::dvec3& rgb) {
 }  // namespace
 
 void Replicates::add(int replicate, const RadianceLanes& radiance, float scale) {
-  RadianceLanes& sum = sums_[static_cast<std::size_t>(replicate)];
-  for (int i = 0; i < packet_size; ++i) sum[i] += scale * radiance[i];
+  Lanes<glm::dvec4>& sum = sums_[static_cast<std::size_t>(replicate)];
+  for (int i = 0; i < packet_size; ++i) sum[i] += glm::dvec4(scale * radiance[i]);
 }
 
 int Replicates::samples() const {
@@ -23,14 +23,14 @@ int Replicates::samples() const {
 }
 
 Vec4f Replicates::mean(int lane) const {
-  Vec4f sum(0);
-  for (const RadianceLanes& part : sums_) sum += part[lane];
-  return sum / static_cast<float>(samples());
+  glm::dvec4 sum(0);
+  for (const Lanes<glm::dvec4>& part : sums_) sum += part[lane];
+  return Vec4f(sum / static_cast<double>(samples()));
 }
 
 Replicates::Vec3d Replicates::mean_of(int lane) const {
   Vec3d sum(0);
-  for (const RadianceLanes& part : sums_) sum += Vec3d(part[lane]);
+  for (const Lanes<glm::dvec4>& part : sums_) sum += Vec3d(part[lane]);
   return sum / static_cast<double>(samples());
 }
 

@@ -42,7 +42,7 @@ class Replicates {
   template <class Quantity>
   auto variance_of(int lane, const Quantity& of) const;
 
-  std::array<RadianceLanes, replicate_count> sums_{};
+  std::array<Lanes<glm::dvec4>, replicate_count> sums_{};
   std::array<int, replicate_count> counts_{};
 };
 

@@ -18,6 +18,7 @@ std::int32_t index_of(const std::string& name, const std::vector<std::string>& n
 }  // namespace
 
 bool is_group_name(const std::string& name) {
+  if (name.size() > longest_group_name) return false;
   return std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';

@@ -17,6 +17,7 @@ inline constexpr std::size_t most_light_groups = 16;  // with a layer of their o
 inline constexpr const char* rest_of_lights = "rest";
 
 // Letters, digits, _ and -: it names a layer. May be empty.
+inline constexpr std::size_t longest_group_name = 64;  // OpenEXR cuts channels' names off at 255
 bool is_group_name(const std::string& name);
 
 // The groups of a scene but for the rest, in the order in which lights, then materials, name them.

@@ -79,7 +79,9 @@ void check_pixel_types(const OutputSettings& output, Faults& faults) {
   }
   for (const Layer layer : output.half_layers) {
     if (needs_float(layer)) {
-      faults.emplace_back("output: half can not hold the layers \"time\", \"id\" and Cryptomattes");
+      faults.emplace_back(
+          "output: half can not hold the layers \"time\", \"id\", \"variance\", \"samples\" and "
+          "Cryptomattes");
     }
     if (has_layer(output.float_layers, layer)) {
       faults.emplace_back("output: a layer can not be both half and float");

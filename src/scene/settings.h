@@ -126,7 +126,8 @@ inline bool is_matte(Layer layer) {
 
 // Half would lose what these layers are for.
 inline bool needs_float(Layer layer) {
-  return layer == Layer::time || layer == Layer::id || is_matte(layer);
+  return layer == Layer::time || layer == Layer::id || layer == Layer::variance ||
+         layer == Layer::samples || is_matte(layer);
 }
 
 // How a preview shows linear light: as it is up to white, or along a film's curve.
@@ -137,6 +138,9 @@ inline constexpr double most_stops = 64;  // of exposure, either way
 inline bool has_layer(const std::vector<Layer>& layers, Layer layer) {
   return std::find(layers.begin(), layers.end(), layer) != layers.end();
 }
+
+// Whether what these layers hold is of all samples of a pixel, not of the one at its centre.
+bool takes_all_samples(const std::vector<Layer>& layers);
 
 struct OutputSettings {
   std::string path = "out/picture.####.exr";  // # stand for digits of the picture number

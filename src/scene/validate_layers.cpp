@@ -16,13 +16,24 @@ bool is_part_of_beauty(Layer layer) {
   return std::find(std::begin(parts), std::end(parts), layer) != std::end(parts);
 }
 
+bool is_of_one_sample(Layer layer) {
+  constexpr Layer data[] = {
+      Layer::z,  Layer::time, Layer::doppler, Layer::normal,          Layer::position,
+      Layer::uv, Layer::id,   Layer::depth,   Layer::apparent_normal, Layer::motion};
+  return std::find(std::begin(data), std::end(data), layer) != std::end(data);
+}
+
 void check_group(const std::string& group, const std::string& name, Faults& faults) {
   if (is_group_name(group)) return;
-  faults.push_back(
-      fmt::format("{}: group is \"{}\", must be letters, digits, _ and - only", name, group));
+  faults.push_back(fmt::format("{}: group is \"{}\", must be up to {} letters, digits, _ and -",
+                               name, group, longest_group_name));
 }
 
 }  // namespace
+
+bool takes_all_samples(const std::vector<Layer>& layers) {
+  return !std::all_of(layers.begin(), layers.end(), is_of_one_sample);
+}
 
 void validate_layers(const Scene& scene, Faults& faults) {
   for (const Light& light : scene.lights) {

@@ -18,7 +18,8 @@ namespace restframe {
 // seen. That is N + N_t k with the wave vector k = (-1, d): the one sum of N and multiples of k without a
 // time part. Along d it is N.k, the same number in every frame, and negative for a normal towards the
 // camera: what faces an observer appears to face every other one at that event. Across d it is that of
-// N_x. Neither is a difference of large numbers.
+// N_x, which comes by way of the world: where camera and surface are both faster than gamma = 1e6 there, it
+// loses the digits that gamma^2 takes.
 inline void set_apparent(const CameraSight& sight, const Velocity& velocity, SurfaceData& data) {
   const Boost<in::Rest, in::World> rest_from_world(velocity);
   const Vec3& d = sight.direction;

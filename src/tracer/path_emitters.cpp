@@ -96,6 +96,7 @@ void PathWalk::set_radiance(const EmitterPoints& points, const PointsSeen& seen,
     from.irradiance.set(lane, radiance * factor);
     if (radiance == Vec3f(0)) from.active[lane] = 0;
     if (stage_.spectra.matters && from.active[lane] != 0) set_spectrum(met, seen, from);
+    if (!parts_.are_wanted()) continue;
     from.group[lane] = stage_.group_of_material(points.surfaces.material[lane]);
   }
 }

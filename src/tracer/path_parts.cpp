@@ -17,7 +17,10 @@ float share(float part, float all) {
 
 void PathParts::receive(int lane, int group, const Vec3f& light, const LobeSplit* here) {
   const LobeSplit* split = first(lane, here);
-  const Vec3f matte = split == nullptr ? Vec3f(0) : light * split->share;
+  Vec3f matte(0);
+  for (int i = 0; split != nullptr && i < 3; ++i) {
+    if (split->share[i] > 0.0F) matte[i] = light[i] * split->share[i];  // of light beyond floats, too
+  }
   add(lane, group, color(lane, light), color(lane, matte), here);
 }
 

@@ -131,7 +131,7 @@ bool PathWalk::receive_direct(int lane, const Vec3f& color, double omega, std::i
 
 void PathWalk::receive_from_sky(const Environment& sky, int lane, const Vec3f& color) {
   const LightPlace& place = sky.place;
-  const std::int32_t group = stage_.group_of(place);
+  const std::int32_t group = parts_.are_wanted() ? stage_.group_of(place) : 0;
   if (!stage_.spectra.matters) return receive(lane, color, group);
   const EmitterSpectrum& spectrum = stage_.spectra[stage_.spectrum_of(place)];
   const double omega = -place.frame.from_world(rays_.k.at(lane)).t;
