@@ -82,13 +82,22 @@ TEST_F(Submit, WritesAnArrayOfChunks) {
                   "--job-name=restframe-p__x", "--array=0-2", "--cpus-per-task=6", "--ntasks=1",
                   "--mem=3G", "--requeue", "--open-mode=append", "--time=1-02:00:00",
                   "--partition=fast,slow", "--account=film", "--qos=low"));
-  EXPECT_THAT(
-      directives(job_.content(std::string(kFolder) + "/check.sh")),
-      testing::UnorderedElementsAre("--job-name=restframe-p__x-check", "--cpus-per-task=1",
-                                    "--ntasks=1", "--mem=3G", "--requeue", "--open-mode=append",
-                                    "--partition=fast,slow", "--account=film", "--qos=low"));
+  EXPECT_THAT(directives(job_.content(std::string(kFolder) + "/check.sh")),
+              testing::UnorderedElementsAre(
+                  "--job-name=restframe-p__x-check", "--cpus-per-task=1", "--ntasks=1", "--mem=3G",
+                  "--requeue", "--open-mode=append", "--time=1-02:00:00", "--partition=fast,slow",
+                  "--account=film", "--qos=low"));
   EXPECT_THAT(result.out, HasSubstr("sbatch --parsable --dependency=afterany:ARRAY "));
   EXPECT_FALSE(fs::exists(job_.path(std::string(kFolder) + "/arrays.txt")));
+}
+
+TEST_F(Submit, DoesNotSubmitWhatIsInTheQueue) {
+  job_.install("sbatch", "#!/bin/sh\necho 77\n");
+  ASSERT_EQ(submit().exit_code, 0);
+  job_.install("squeue", "#!/bin/sh\nprintf 'RUNNING\\nPENDING\\nPENDING\\n'\n");
+  expect_error(submit(), 2, {"1 tasks run and 2 wait", "arrays 77"});
+  job_.install("squeue", "#!/bin/sh\necho COMPLETED\n");
+  EXPECT_EQ(submit().exit_code, 0);
 }
 
 // 256 MB, and more for larger pictures; no more cores than tiles of 32 x 32 pixels.
