@@ -19,7 +19,8 @@ void PathParts::receive(int lane, int group, const Vec3f& light, const LobeSplit
   const LobeSplit* split = first(lane, here);
   Vec3f matte(0);
   for (int i = 0; split != nullptr && i < 3; ++i) {
-    if (split->share[i] > 0.0F) matte[i] = light[i] * split->share[i];  // of light beyond floats, too
+    if (split->share[i] > 0.0F)
+      matte[i] = light[i] * split->share[i];  // of light beyond floats, too
   }
   add(lane, group, color(lane, light), color(lane, matte), here);
 }
