@@ -109,7 +109,9 @@ struct MeasuredBlock {
     store(block, radiance, picture);
     store_parts(block, parts, replicates.samples(), picture);
     const int samples = replicates.samples() * exposure().count;
-    store_mattes(block, samples, alpha_over_mean(radiance), picture);
+    if (block.covers != nullptr) {
+      store_mattes(block, samples, alpha_over_mean(radiance), picture);
+    }
     if (!picture.has_statistics()) return;
     for_pixels(block, [&](int x, int y, int lane) {
       picture.set_statistics(x, y, {replicates.variance(lane), samples});

@@ -90,7 +90,9 @@ void render_block(Block<Tracer>& block, Picture& picture) {
   }
   store(block, total.combined(), picture);
   store_parts(block, parts, samples, picture);
-  store_mattes(block, samples * exposures, total.alpha_over_mean(), picture);
+  if (block.covers != nullptr) {
+    store_mattes(block, samples * exposures, total.alpha_over_mean(), picture);
+  }
   if (picture.has_statistics()) store_sample_count(block, samples * exposures, picture);
 }
 

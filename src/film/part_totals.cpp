@@ -6,7 +6,7 @@ namespace restframe {
 
 RESTFRAME_CLONES void PartTotals::add_sample() {
   for (std::size_t column = 0; column < columns_.size(); ++column) {
-    const Vec3fLanes& next = sample_.at(columns_[column]);
+    const Vec3fLanes& next = sample_->at(columns_[column]);
     Vec3Lanes& sum = sums_[column];
 #pragma GCC ivdep
     for (int i = 0; i < packet_size; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,11 +16,13 @@ class PartTotals {
  public:
   // columns: of SampleParts; must outlive the totals.
   PartTotals(std::span<const int> columns, const ExposureSettings& settings)
-      : settings_(settings), columns_(columns), sums_(columns.size(), Vec3Lanes{}) {}
+      : settings_(settings), columns_(columns), sums_(columns.size(), Vec3Lanes{}) {
+    if (are_wanted()) sample_.emplace();
+  }
 
   bool are_wanted() const { return !columns_.empty(); }
   // To be filled by the tracer with the next sample of any exposure, then added; null: not wanted.
-  SampleParts* sample() { return are_wanted() ? &sample_ : nullptr; }
+  SampleParts* sample() { return sample_ ? &*sample_ : nullptr; }
   void add_sample();
 
   // What pixel `lane` has after all exposures of so many samples each, a colour a column. Colours, the
@@ -30,8 +33,8 @@ class PartTotals {
  private:
   const ExposureSettings& settings_;
   std::span<const int> columns_;
-  std::vector<Vec3Lanes> sums_;  // of each column
-  SampleParts sample_;
+  std::vector<Vec3Lanes> sums_;        // of each column
+  std::optional<SampleParts> sample_;  // kilobytes that cost nothing where no part is wanted
 };
 
 }  // namespace restframe
