@@ -16,8 +16,10 @@ class PartTotals {
  public:
   // columns: of SampleParts; must outlive the totals.
   PartTotals(std::span<const int> columns, const ExposureSettings& settings)
-      : settings_(settings), columns_(columns), sums_(columns.size(), Vec3Lanes{}) {
-    if (are_wanted()) sample_.emplace();
+      : settings_(settings), columns_(columns) {
+    if (!are_wanted()) return;
+    sums_.assign(columns.size(), Vec3Lanes{});
+    sample_.emplace();
   }
 
   bool are_wanted() const { return !columns_.empty(); }
