@@ -18,11 +18,12 @@ struct PictureToWrite {
   OutputSettings settings;
 };
 
-WriteReport write_images(PictureToWrite& picture) {
+WriteReport write_images(const PictureToWrite& picture) {
   WriteReport report;
+  PictureInfo info = picture.info;
   for (const LayerFile& image : picture.files.images) {
-    picture.info.only_layer = image.layer;
-    report += write_exr(image.path, picture.views, picture.info);
+    info.only_layer = image.layer;
+    report += write_exr(image.path, picture.views, info);
   }
   return report;
 }
@@ -34,11 +35,15 @@ void write_preview_of(const PictureToWrite& picture) {
                 {development(picture.settings), info.float_beauty, label});
 }
 
-WriteReport write_all(PictureToWrite picture) {
-  // The preview first: where the last EXR is, all of the picture is. Where writing fails it stays, since it
-  // may be of a whole picture that is there; without its EXR it counts for nothing.
-  if (picture.settings.preview && picture.views.front().has_beauty()) write_preview_of(picture);
+WriteReport write_all(const PictureToWrite& picture) {
+  // At the same time, so that the last picture takes no longer than it must. Whichever is there without
+  // the other: a preview counts for nothing, and is made anew from its EXR.
+  std::future<void> preview;
+  if (picture.settings.preview && picture.views.front().has_beauty()) {
+    preview = std::async(std::launch::async, [&picture] { write_preview_of(picture); });
+  }
   const WriteReport report = write_images(picture);
+  if (preview.valid()) preview.get();
   std::error_code ignored;
   std::filesystem::remove(checkpoint_path(picture.files.whole), ignored);
   return report;
