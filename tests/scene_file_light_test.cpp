@@ -208,7 +208,8 @@ TEST_F(SceneFileLight, WrongValues) {
   expect_fault("type = \"point\"\nintensity = nan\n", {"8:13: ", "finite"});
   expect_fault("type = \"point\"\ncolor = \"yelow\"\n", {"8:9: ", "\"yellow\""});
   expect_fault("type = \"point\"\ncolor = [1, -1, 0]\n", {"8:13: ", "color[1] is -1"});
-  expect_fault("type = \"point\"\ngroup = \"a b\"\n", {"8:9: ", "up to 64 letters, digits, _ and -"});
+  expect_fault("type = \"point\"\ngroup = \"a b\"\n",
+               {"8:9: ", "up to 64 letters, digits, _ and -"});
   expect_fault("type = \"point\"\nposition = [1, 0]\n", {"8:12: ", "2 elements"});
   expect_fault("type = \"point\"\nclock = \"fram\"\n", {"8:9: ", "\"frame\""});
   expect_fault("type = \"point\"\nvelocity = [0, 1, 0]\n", {"8:12: ", "|velocity| is 1"});
