@@ -62,24 +62,8 @@ integrator = "path"
 [output]
 path = "out/the $ball.####.exr"
 layers = ["beauty", "Z", "time"]
-[[object]]
-sphere = {radius = 1, fineness = 4}
-position = [-2, 0, 0]
-time = -7
-velocity = [0.7, 0, 0]
-[[object]]
-sphere = {radius = 50, fineness = 5}
-position = [0, -51, 0]
-[[material]]
-name = "ball"
-metallic = 0
-[material.base_color]
-period = 1
-intervals = [[0, 0.5, "gold"], [0.5, 1, "royalblue"]]
-[[light]]
-type = "environment"
-color = "white"
 END
+cat "$here/support/moving_ball.toml" >>scene.toml
 slurm_folder="out/the \$ball.slurm"
 submit=("$program" submit --slurm scene.toml --chunk 3 --threads 1 --time 5)
 

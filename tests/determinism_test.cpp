@@ -6,6 +6,7 @@
 
 #include "film/preview.h"
 #include "support/exr_writer.h"
+#include "support/file_bytes.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -83,11 +84,6 @@ void write_texture(const std::filesystem::path& path) {
     }
   }
   write_preview(path, texture, {});
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 // Both pictures' files, one after the other.

@@ -48,24 +48,8 @@ integrator = "path"
 [output]
 path = "none/p.####.exr"
 layers = ["beauty", "Z", "time", "N", "variance", "samples"]
-[[object]]
-sphere = {radius = 1, fineness = 4}
-position = [-2, 0, 0]
-time = -7
-velocity = [0.7, 0, 0]
-[[object]]
-sphere = {radius = 50, fineness = 5}
-position = [0, -51, 0]
-[[material]]
-name = "ball"
-metallic = 0
-[material.base_color]
-period = 1
-intervals = [[0, 0.5, "gold"], [0.5, 1, "royalblue"]]
-[[light]]
-type = "environment"
-color = "white"
 END
+cat "$here/support/moving_ball.toml" >>scene.toml
 animation=("$program" render scene.toml --quiet)
 still=("$program" render scene.toml --quiet --pictures 3 --size 320x240 --checkpoint 0.15)
 

@@ -7,15 +7,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/file_bytes.h"
 #include "support/path_scene.h"
 
 namespace restframe {
 namespace {
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string stage(const std::string& render, const std::string& camera_keys) {
   return fmt::format(

@@ -6,6 +6,7 @@
 
 #include "app/picture_files.h"
 #include "support/exr_reader.h"
+#include "support/file_bytes.h"
 #include "support/image_files.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
@@ -39,11 +40,6 @@ half = ["Z"]
 name = "ball"
 sphere = {radius = 1, fineness = 2}
 )";
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 class LayerFiles : public testing::Test {
  protected:

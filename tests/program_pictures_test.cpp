@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "support/exr_reader.h"
+#include "support/file_bytes.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -38,11 +39,6 @@ layers = ["beauty", "Z"]
 name = "ball"
 sphere = {radius = 1, fineness = 2}
 )";
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 class Pictures : public testing::Test {
  protected:

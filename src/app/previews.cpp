@@ -22,9 +22,7 @@ const std::filesystem::path& beauty_file(const PictureFiles& files) {
 }  // namespace
 
 bool has_previews(const Scene& scene) {
-  const auto& layers = scene.output.layers;
-  return scene.output.preview &&
-         std::find(layers.begin(), layers.end(), Layer::beauty) != layers.end();
+  return scene.output.preview && has_layer(scene.output.layers, Layer::beauty);
 }
 
 std::string preview_label(const Provenance& provenance, int number,

@@ -111,16 +111,12 @@ constexpr std::array table{
     LayerInfo{Layer::crypto_material, "crypto_material", {}, {}, MatteKind::material},
     LayerInfo{Layer::crypto_asset, "crypto_asset", {}, {}, MatteKind::asset}};
 
-bool is_among(Layer layer, std::span<const Layer> layers) {
-  return std::find(layers.begin(), layers.end(), layer) != layers.end();
-}
-
 template <class Channel>
 std::vector<Channel> channels_of(std::span<const Layer> layers,
                                  std::span<const Channel> LayerInfo::*of_layer) {
   std::vector<Channel> channels;
   for (const LayerInfo& info : table) {
-    if (!is_among(info.layer, layers)) continue;
+    if (!has_layer(layers, info.layer)) continue;
     const std::span<const Channel> own = info.*of_layer;
     channels.insert(channels.end(), own.begin(), own.end());
   }
@@ -145,7 +141,7 @@ std::span<const LayerInfo> layer_table() {
 std::vector<std::string> layer_names(std::span<const Layer> layers) {
   std::vector<std::string> names;
   for (const LayerInfo& info : table) {
-    const bool wanted = std::find(layers.begin(), layers.end(), info.layer) != layers.end();
+    const bool wanted = has_layer(layers, info.layer);
     if (wanted) names.emplace_back(info.scene_name);
   }
   return names;
@@ -184,7 +180,7 @@ std::vector<PartLayer> part_layers(std::span<const Layer> layers,
                                    std::span<const std::string> groups) {
   std::vector<PartLayer> parts;
   for (const LayerInfo& info : table) {
-    if (info.column == no_column || !is_among(info.layer, layers)) continue;
+    if (info.column == no_column || !has_layer(layers, info.layer)) continue;
     if (info.layer == Layer::lights) {
       add_light_layers(groups, parts);
     } else {
@@ -197,7 +193,7 @@ std::vector<PartLayer> part_layers(std::span<const Layer> layers,
 std::vector<LayerInfo> matte_layers(std::span<const Layer> layers) {
   std::vector<LayerInfo> mattes;
   for (const LayerInfo& info : table) {
-    if (info.matte && is_among(info.layer, layers)) mattes.push_back(info);
+    if (info.matte && has_layer(layers, info.layer)) mattes.push_back(info);
   }
   return mattes;
 }

@@ -12,7 +12,7 @@ Picture::Picture(const PixelWindow& window, std::span<const Layer> layers, const
       units_(units),
       data_(data_channels(layers)),
       statistics_(statistic_channels(layers)) {
-  if (std::find(layers.begin(), layers.end(), Layer::beauty) != layers.end()) {
+  if (has_layer(layers, Layer::beauty)) {
     rgba_.resize(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()));
   }
   for (const DataChannel& channel : data_) add_plane(channel.exr_name, channel.kind);

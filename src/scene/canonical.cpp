@@ -153,14 +153,12 @@ void add_object(Listing& list, const Object& object, const std::string& key) {
 // What the layers that are asked for call the parts of objects.
 void add_matte_names(Listing& list, const Scene& scene) {
   const std::vector<Layer>& layers = scene.output.layers;
-  const auto wants = [&](Layer layer) {
-    return std::find(layers.begin(), layers.end(), layer) != layers.end();
-  };
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const std::string key = fmt::format("object.{}", i);
-    if (wants(Layer::crypto_asset) && !object.whole.empty()) list.add(key + ".whole", object.whole);
-    if (!wants(Layer::crypto_object) || object.part_names.empty()) continue;
+    if (has_layer(layers, Layer::crypto_asset) && !object.whole.empty())
+      list.add(key + ".whole", object.whole);
+    if (!has_layer(layers, Layer::crypto_object) || object.part_names.empty()) continue;
     Digest names;
     for (const std::string& name : object.part_names) {
       names.add(std::span(name.c_str(), name.size() + 1));

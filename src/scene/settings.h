@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -135,7 +136,7 @@ enum class ViewTransform : std::uint8_t { srgb, filmic };
 
 inline constexpr double most_stops = 64;  // of exposure, either way
 
-inline bool has_layer(const std::vector<Layer>& layers, Layer layer) {
+inline bool has_layer(std::span<const Layer> layers, Layer layer) {
   return std::find(layers.begin(), layers.end(), layer) != layers.end();
 }
 
