@@ -101,20 +101,19 @@ bool has_channels_of(const Part& part, const std::string& layer) {
 }
 
 // A Cryptomatte's attributes belong where its channels are.
-void drop_other_mattes(Part& part) {
+void add_texts(Part& part, const PictureInfo& info) {
   constexpr std::string_view all = "cryptomatte/", name = "/name";
-  std::vector<std::string> dropped;
-  for (auto it = part.header.begin(); it != part.header.end(); ++it) {
-    const std::string key = it.name();
-    const auto* layer = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
-    if (!key.starts_with(all) || !key.ends_with(name) || layer == nullptr) continue;
-    if (has_channels_of(part, layer->value())) continue;
-    const std::string group = key.substr(0, key.size() - name.size() + 1);
-    for (auto of = part.header.begin(); of != part.header.end(); ++of) {
-      if (std::string_view(of.name()).starts_with(group)) dropped.emplace_back(of.name());
-    }
+  std::vector<std::string_view> elsewhere;  // "cryptomatte/1a2b3c4/"
+  for (const auto& [key, text] : info.texts) {
+    if (!key.starts_with(all) || !key.ends_with(name) || has_channels_of(part, text)) continue;
+    elsewhere.push_back(std::string_view(key).substr(0, key.size() - name.size() + 1));
   }
-  for (const std::string& key : dropped) part.header.erase(key);
+  for (const auto& text : info.texts) {
+    const bool dropped =
+        std::any_of(elsewhere.begin(), elsewhere.end(),
+                    [&text](std::string_view of) { return text.first.starts_with(of); });
+    if (!dropped) part.header.insert(text.first, Imf::StringAttribute(text.second));
+  }
 }
 
 void add_channel(Part& part, const std::string& name, const StoredChannel& channel) {
@@ -187,7 +186,7 @@ std::vector<Part> parts_of(const FileContent& content) {
 
 void encode(const FileContent& content, MemoryStream& stream) {
   std::vector<Part> parts = parts_of(content);
-  std::for_each(parts.begin(), parts.end(), drop_other_mattes);
+  for (Part& part : parts) add_texts(part, content.info);
   if (parts.size() == 1) {
     Imf::OutputFile file(stream, parts[0].header);
     file.setFrameBuffer(parts[0].buffer);

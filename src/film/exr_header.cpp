@@ -143,7 +143,6 @@ Imf::Header exr_header(const PixelWindow& window, const PictureInfo& info, const
                                   "{:.17g} {:.17g}", time_origins.first, time_origins.second)));
   header.insert("objectNames", Imf::StringVectorAttribute(info.object_names));
   header.insert("materialNames", Imf::StringVectorAttribute(info.material_names));
-  for (const auto& [name, text] : info.texts) header.insert(name, Imf::StringAttribute(text));
   header.insert(seal_attribute, Imf::StringAttribute(no_seal));
   return header;
 }

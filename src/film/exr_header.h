@@ -6,8 +6,8 @@
 
 namespace restframe {
 
-// The header of a picture, or of one part of it, without its channels. `pose`: of what it shows.
-// time_origins: of time_proper and time_world, in seconds.
+// The header of a picture, or of one part of it, without its channels and info.texts.
+// `pose`: of what it shows. time_origins: of time_proper and time_world, in seconds.
 Imf::Header exr_header(const PixelWindow& window, const PictureInfo& info, const CameraPose& pose,
                        const std::pair<double, double>& time_origins);
 
