@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/vec4.hpp>
-#include <optional>
 
 #include "tracer/sample.h"
 
@@ -21,18 +20,18 @@ class SampleSum {
   }
   // After the last sample: `sum` becomes that of all.
   void complete(RadianceLanes& sum) {
-    if (!large_) return;
+    if (!is_used_) return;
     add(sum);
-    for (int i = 0; i < packet_size; ++i) sum[i] = Vec4f((*large_)[i]);
+    replace(sum);
   }
 
  private:
-  void add(const RadianceLanes& sum) {
-    if (!large_) large_.emplace().fill(glm::dvec4(0));
-    for (int i = 0; i < packet_size; ++i) (*large_)[i] += glm::dvec4(sum[i]);
-  }
+  // Not inline: where these doubles are not used, they are not even to be cleared.
+  void add(const RadianceLanes& sum);
+  void replace(RadianceLanes& sum) const;
 
-  std::optional<Lanes<glm::dvec4>> large_;
+  bool is_used_ = false;
+  Lanes<glm::dvec4> large_;
 };
 
 }  // namespace restframe
