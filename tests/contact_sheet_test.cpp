@@ -8,15 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <random>
 
 #include "app/picture_files.h"
 #include "film/png_preview.h"
 #include "importers/importers.h"
 #include "support/exr_reader.h"
-#include "support/program.h"
-#include "support/temporary_folder.h"
+#include "support/scene_folder.h"
 
 namespace restframe {
 namespace {
@@ -24,13 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 Image read_png(const fs::path& file) {
-  const std::string content = content_of(file);
+  const std::string content = bytes_of(file);
   return decode_image(std::vector<std::uint8_t>(content.begin(), content.end()), file.string(), {});
 }
 
@@ -157,20 +150,9 @@ name = "ball"
 base_color = "orange"
 )";
 
-class ContactSheetOfAScene : public testing::Test {
+class ContactSheetOfAScene : public testing::Test, public SceneFolder {
  protected:
-  ContactSheetOfAScene() { folder_.write("scene.toml", kScene); }
-  RunResult render(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments = {"render", "scene.toml"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    RunOptions options;
-    options.folder = folder_.path();
-    return run_program(RESTFRAME_PROGRAM, arguments, options);
-  }
-  fs::path path(const std::string& name) const { return folder_.path() / name; }
-
- private:
-  TemporaryFolder folder_;
+  ContactSheetOfAScene() : SceneFolder(kScene) {}
 };
 
 Vec3 mean_light(const ExrPicture& picture) {
@@ -210,7 +192,7 @@ TEST_F(ContactSheetOfAScene, IsTheSameForAResumedAnimation) {
   for (const char* name : {"p.03.exr", "p.07.exr", "p.07.png", "p.08.png"}) fs::remove(path(name));
   fs::resize_file(path("p.09.png"), 500);
   ASSERT_EQ(render({"--contact-sheet", "b.png", "--threads", "1"}).exit_code, 0);
-  EXPECT_TRUE(content_of(path("a.png")) == content_of(path("b.png")));
+  EXPECT_TRUE(content("a.png") == content("b.png"));
   ASSERT_EQ(render({"--contact-sheet", "part.png", "--pictures", "3-4", "--quiet"}).exit_code, 0);
   EXPECT_EQ(read_png(path("part.png")).width, 2 * 480 + 3 * 4);
 }
@@ -227,7 +209,7 @@ TEST_F(ContactSheetOfAScene, WhatCanNotBeMadeIsSaid) {
       {"--contact-sheet", "../" + path("p.05.png").parent_path().filename().string() + "/p.05.png"},
       2, "preview of a picture");
   fails({"--contact-sheet", "scene.toml/sheet.png"}, 3, "scene.toml/sheet.png");
-  EXPECT_FALSE(fs::exists(path("p.00.exr")));
+  EXPECT_FALSE(exists("p.00.exr"));
 }
 
 TEST_F(ContactSheetOfAScene, ShowsPicturesAsTheyWereAskedFor) {
@@ -235,7 +217,7 @@ TEST_F(ContactSheetOfAScene, ShowsPicturesAsTheyWereAskedFor) {
     std::vector<std::string> all = {"--contact-sheet", "s.png", "--pictures", "0-1"};
     all.insert(all.end(), options.begin(), options.end());
     EXPECT_EQ(render(all).exit_code, 0);
-    return file_content(path("s.png"));
+    return content("s.png");
   };
   const std::string plain = sheet({});
   EXPECT_FALSE(sheet({"--view", "filmic", "--exposure", "-4"}) == plain);

@@ -7,14 +7,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "app/part_files.h"
 #include "app/render_picture.h"
 #include "importers/importers.h"
 #include "support/exr_reader.h"
-#include "support/program.h"
-#include "support/temporary_folder.h"
+#include "support/program_errors.h"
+#include "support/scene_folder.h"
 
 namespace restframe {
 namespace {
@@ -58,28 +57,16 @@ velocity = [0.5, 0, 0]
 type = "environment"
 )";
 
-class Merge : public testing::Test {
+class Merge : public testing::Test, public SceneFolder {
  protected:
-  Merge() { write("scene.toml", kScene); }
+  Merge() : SceneFolder(kScene) {}
 
-  RunResult run(const std::string& command, const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments = {command, "scene.toml"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    RunOptions run_options;
-    run_options.folder = folder_.path();
-    return run_program(RESTFRAME_PROGRAM, arguments, run_options);
-  }
   void make(const std::string& command, const std::vector<std::string>& options = {}) const {
     const RunResult result = run(command, options);
     ASSERT_EQ(result.exit_code, 0) << result.error;
   }
   void make_tile(const std::string& tile, const std::string& pattern = "p.#.exr") const {
     make("render", {"--tile", tile, "-o", pattern});
-  }
-  void expect_refused(const RunResult& result, const std::vector<std::string>& parts) const {
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-    for (const std::string& part : parts) EXPECT_THAT(result.error, HasSubstr(part));
   }
   void expect_merged(const std::string& pattern, int pictures) const {
     make("merge", {"-o", pattern});
@@ -90,13 +77,6 @@ class Merge : public testing::Test {
       }
     }
   }
-  fs::path path(const std::string& name) const { return folder_.path() / name; }
-  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-  std::string content(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  bool exists(const std::string& name) const { return fs::exists(path(name)); }
   std::vector<std::string> names_in(const std::string& folder) const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(path(folder))) {
@@ -105,13 +85,6 @@ class Merge : public testing::Test {
     std::sort(names.begin(), names.end());
     return names;
   }
-  void change_scene(const std::string& before, const std::string& after) const {
-    std::string text = kScene;
-    write("scene.toml", text.replace(text.find(before), before.size(), after));
-  }
-
- private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(Merge, GivesTheSameFilesAsOneRendering) {

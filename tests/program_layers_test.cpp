@@ -2,14 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <iterator>
-
 #include "app/picture_files.h"
 #include "support/exr_reader.h"
-#include "support/file_bytes.h"
 #include "support/image_files.h"
-#include "support/program.h"
-#include "support/temporary_folder.h"
+#include "support/scene_folder.h"
 
 namespace restframe {
 namespace {
@@ -41,28 +37,11 @@ name = "ball"
 sphere = {radius = 1, fineness = 2}
 )";
 
-class LayerFiles : public testing::Test {
+class LayerFiles : public testing::Test, public SceneFolder {
  protected:
-  LayerFiles() { folder_.write("scene.toml", kScene); }
+  LayerFiles() : SceneFolder(kScene) {}
 
-  RunResult render(const std::vector<std::string>& options = {}) const {
-    return run("render", options);
-  }
-  RunResult run(const std::string& command, const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments = {command, "scene.toml"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    RunOptions run_options;
-    run_options.folder = folder_.path();
-    return run_program(RESTFRAME_PROGRAM, arguments, run_options);
-  }
-  fs::path out(const std::string& name) const { return folder_.path() / "out" / name; }
-  void change(const std::string& before, const std::string& after) const {
-    std::string text = kScene;
-    folder_.write("scene.toml", text.replace(text.find(before), before.size(), after));
-  }
-
- private:
-  TemporaryFolder folder_;
+  fs::path out(const std::string& name) const { return path("out") / name; }
 };
 
 TEST(LayerPattern, HasTheLayerBeforeTheNumber) {
@@ -111,7 +90,7 @@ TEST_F(LayerFiles, AreAllThereOrMadeAgain) {
   EXPECT_TRUE(bytes_of(out("shot_time_0001.exr")) == before);
   EXPECT_TRUE(fs::exists(out("shot_Z_0000.exr")));
   EXPECT_THAT(render().out, HasSubstr("0 of 2 pictures made"));
-  change("radius = 1", "radius = 0.5");
+  change_scene("radius = 1", "radius = 0.5");
   const RunResult refused = render();
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.error, HasSubstr("--overwrite"));
@@ -119,7 +98,7 @@ TEST_F(LayerFiles, AreAllThereOrMadeAgain) {
 
 // Of both eyes, and of a window that is no multiple of a tile.
 TEST_F(LayerFiles, AreTheSameFromShares) {
-  change("resolution = [20, 14]", "resolution = [61, 47]");
+  change_scene("resolution = [20, 14]", "resolution = [61, 47]");
   ASSERT_EQ(render().exit_code, 0);
   for (const char* tile : {"1/3", "2/3", "3/3"}) {
     ASSERT_EQ(render({"-o", "shares/s_####.exr", "--tile", tile}).exit_code, 0);
@@ -136,27 +115,27 @@ TEST_F(LayerFiles, AreTheSameFromShares) {
 TEST_F(LayerFiles, ShowTheLeftEyeAndAllThatIsRendered) {
   ASSERT_EQ(render({"--contact-sheet", "sheet.png"}).exit_code, 0);
   EXPECT_TRUE(fs::exists(out("../sheet.png")));
-  change("[camera.stereo]\nseparation = 0.3\nconvergence = 4\n", "");
+  change_scene("[camera.stereo]\nseparation = 0.3\nconvergence = 4\n", "");
   ASSERT_EQ(render({"-o", "mono/p.#.exr"}).exit_code, 0);
   EXPECT_FALSE(read_exr(out("../mono/p.beauty.0.exr")).attributes.contains("multiView"));
 }
 
 TEST_F(LayerFiles, OfHalfSayWhatTheyCouldNotHold) {
-  change("{radius = 1, fineness = 2}",
-         "{radius = 90000, fineness = 2}\nposition = [0, 0, -200000]");
+  change_scene("{radius = 1, fineness = 2}",
+               "{radius = 90000, fineness = 2}\nposition = [0, 0, -200000]");
   const RunResult result = render({"-p", "0"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.error, HasSubstr("beyond what half holds"));
 }
 
 TEST_F(LayerFiles, FaultsAreTold) {
-  change("half = [\"Z\"]", "half = [\"time\"]");
+  change_scene("half = [\"Z\"]", "half = [\"time\"]");
   EXPECT_THAT(render().error, HasSubstr("half: \"time\" must stay float"));
-  change("half = [\"Z\"]", "half = [\"N\"]");
+  change_scene("half = [\"Z\"]", "half = [\"N\"]");
   EXPECT_THAT(render().error, HasSubstr("half: \"N\" is not among `layers`"));
-  change("half = [\"Z\"]", "half = [\"Z\"]\nfloat = [\"Z\"]");
+  change_scene("half = [\"Z\"]", "half = [\"Z\"]\nfloat = [\"Z\"]");
   EXPECT_THAT(render().error, HasSubstr("half: \"Z\" is named by float, too"));
-  change("half = [\"Z\"]", "compression_level = -1");
+  change_scene("half = [\"Z\"]", "compression_level = -1");
   EXPECT_THAT(render().error, HasSubstr("compression_level is -1"));
 }
 

@@ -8,9 +8,7 @@
 #include <sstream>
 
 #include "support/exr_reader.h"
-#include "support/file_bytes.h"
-#include "support/program.h"
-#include "support/temporary_folder.h"
+#include "support/scene_folder.h"
 
 namespace restframe {
 namespace {
@@ -40,26 +38,9 @@ name = "ball"
 sphere = {radius = 1, fineness = 2}
 )";
 
-class Pictures : public testing::Test {
+class Pictures : public testing::Test, public SceneFolder {
  protected:
-  Pictures() { folder_.write("scene.toml", kScene); }
-
-  RunResult render(const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments = {"render", "scene.toml"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    RunOptions run_options;
-    run_options.folder = path();
-    return run_program(RESTFRAME_PROGRAM, arguments, run_options);
-  }
-  const fs::path& path() const { return folder_.path(); }
-  bool exists(const std::string& name) const { return fs::exists(path() / name); }
-  void change_scene(const std::string& before, const std::string& after) const {
-    std::string text = kScene;
-    folder_.write("scene.toml", text.replace(text.find(before), before.size(), after));
-  }
-
- private:
-  TemporaryFolder folder_;
+  Pictures() : SceneFolder(kScene) {}
 };
 
 TEST_F(Pictures, AreNumberedInPlaceOfHashes) {
@@ -72,44 +53,44 @@ TEST_F(Pictures, AreNumberedInPlaceOfHashes) {
   EXPECT_FALSE(exists("b/x.0.exr"));
   EXPECT_TRUE(exists("b/x.1.exr") && exists("b/x.2.exr"));
   EXPECT_EQ(render({"-o", "c.###.exr", "-p", "2"}).exit_code, 0);
-  EXPECT_EQ(read_exr(path() / "c.002.exr").attributes.at("pictureNumber"), "2");
+  EXPECT_EQ(read_exr(path("c.002.exr")).attributes.at("pictureNumber"), "2");
 }
 
 TEST_F(Pictures, ThatAreThereAreKept) {
   ASSERT_EQ(render({"-o", "p.#.exr"}).exit_code, 0);
-  const auto time = fs::last_write_time(path() / "p.1.exr");
-  const std::string before = bytes_of(path() / "p.1.exr");
-  fs::remove(path() / "p.2.exr");
+  const auto time = fs::last_write_time(path("p.1.exr"));
+  const std::string before = content("p.1.exr");
+  fs::remove(path("p.2.exr"));
   const RunResult again = render({"-o", "p.#.exr"});
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_NE(again.out.find("1 of 3"), std::string::npos) << again.out;
-  EXPECT_EQ(fs::last_write_time(path() / "p.1.exr"), time);
-  EXPECT_EQ(bytes_of(path() / "p.1.exr"), before);
+  EXPECT_EQ(fs::last_write_time(path("p.1.exr")), time);
+  EXPECT_EQ(content("p.1.exr"), before);
   EXPECT_TRUE(exists("p.2.exr"));
 }
 
 TEST_F(Pictures, ThatAreTornAreMadeAgain) {
   ASSERT_EQ(render({"-o", "p.#.exr"}).exit_code, 0);
-  const std::string whole = bytes_of(path() / "p.1.exr");
+  const std::string whole = content("p.1.exr");
   for (const std::size_t left :
        {whole.size() - 1, whole.size() / 2, std::size_t{100}, std::size_t{0}}) {
-    fs::resize_file(path() / "p.1.exr", left);
+    fs::resize_file(path("p.1.exr"), left);
     EXPECT_EQ(render({"-o", "p.#.exr"}).exit_code, 0);
-    EXPECT_TRUE(bytes_of(path() / "p.1.exr") == whole) << left << " bytes were left";
+    EXPECT_TRUE(content("p.1.exr") == whole) << left << " bytes were left";
   }
 }
 
 TEST_F(Pictures, OfAnotherSceneAreRefusedUnlessOverwritten) {
   ASSERT_EQ(render({"-o", "p.#.exr"}).exit_code, 0);
-  const std::string before = bytes_of(path() / "p.0.exr");
+  const std::string before = content("p.0.exr");
   change_scene("radius = 1", "radius = 0.75");
   const RunResult refused = render({"-o", "p.#.exr"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_NE(refused.error.find("p.0.exr"), std::string::npos) << refused.error;
   EXPECT_NE(refused.error.find("--overwrite"), std::string::npos) << refused.error;
-  EXPECT_TRUE(bytes_of(path() / "p.0.exr") == before);
+  EXPECT_TRUE(content("p.0.exr") == before);
   EXPECT_EQ(render({"-o", "p.#.exr", "--overwrite"}).exit_code, 0);
-  EXPECT_FALSE(bytes_of(path() / "p.0.exr") == before);
+  EXPECT_FALSE(content("p.0.exr") == before);
 }
 
 TEST_F(Pictures, RefusalSaysWhatDiffers) {
@@ -137,7 +118,7 @@ std::vector<double> times(const std::vector<double>& v, const std::vector<double
 
 TEST_F(Pictures, HeadersSayWhatMadeThem) {
   ASSERT_EQ(render({"-o", "p.#.exr"}).exit_code, 0);
-  const auto attributes = read_exr(path() / "p.1.exr").attributes;
+  const auto attributes = read_exr(path("p.1.exr")).attributes;
   EXPECT_EQ(attributes.at("software"), std::string("restframe ") + RESTFRAME_VERSION);
   EXPECT_EQ(attributes.at("pictureNumber"), "1");
   EXPECT_NEAR(std::stod(attributes.at("cameraTime")), 0.54, 1e-12);
@@ -159,7 +140,7 @@ TEST_F(Pictures, HeadersSayWhatMadeThem) {
 // along the view. On the film of half-height tan 30, from (0, 0) top left to (1, 1):
 TEST_F(Pictures, HeadersHoldTheCamerasMatrices) {
   ASSERT_EQ(render({"-o", "p.#.exr"}).exit_code, 0);
-  const auto attributes = read_exr(path() / "p.1.exr").attributes;
+  const auto attributes = read_exr(path("p.1.exr")).attributes;
   const double z = 4 - 2 * 0.54 * 0.5 / std::sqrt(0.75);
   const std::vector<double> point = {1 + 1, 2 + 0.5, z - 3, 1};
   const auto beside = times(point, numbers_in(attributes.at("worldToCamera")));
@@ -190,12 +171,12 @@ emission_strength = 10
   text.replace(text.find("velocity = [0, 0, -0.5]"), 23, "velocity = [0, 0, 0]");
   text.replace(text.find("fov = 60"), 8, "fov = 0.001");
   text.replace(text.find("seed = 5"), 8, "beaming = true");
-  std::ofstream(path() / "scene.toml") << text;
+  write("scene.toml", text);
   const RunResult result = render({"-o", "p.#.exr", "-p", "0"});
   ASSERT_EQ(result.exit_code, 0) << result.error;
   EXPECT_TRUE(result.error.empty()) << result.error;
   const double expected = 10 * std::pow(1.99 / 0.01, 2);
-  EXPECT_NEAR(read_exr(path() / "p.0.exr").at("G", 16, 12), expected, 1e-5 * expected);
+  EXPECT_NEAR(read_exr(path("p.0.exr")).at("G", 16, 12), expected, 1e-5 * expected);
 }
 
 }  // namespace

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "support/program.h"
+#include "support/program_errors.h"
 #include "support/temporary_folder.h"
 
 namespace restframe {
@@ -42,14 +40,6 @@ RunResult run(const TemporaryFolder& folder, const std::vector<std::string>& arg
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-// One line on standard error that begins with "error: " and holds every part.
-void expect_error(const RunResult& result, int code, const std::vector<std::string>& parts) {
-  EXPECT_EQ(result.exit_code, code);
-  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-  EXPECT_EQ(result.error.rfind("error: ", 0), 0U) << result.error;
-  for (const std::string& part : parts) EXPECT_TRUE(has(result.error, part)) << result.error;
 }
 
 // What the scene with this line in place of another does.

@@ -11,6 +11,7 @@
 
 #include "app/slurm_queue.h"
 #include "support/cluster_job.h"
+#include "support/program_errors.h"
 
 namespace restframe {
 namespace {
@@ -31,13 +32,6 @@ class Submit : public testing::Test {
   }
   const ClusterJob job_;
 };
-
-void expect_error(const RunResult& result, int code, const std::vector<std::string>& parts) {
-  EXPECT_EQ(result.exit_code, code) << result.error;
-  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-  EXPECT_EQ(result.error.rfind("error: ", 0), 0U) << result.error;
-  for (const std::string& part : parts) EXPECT_THAT(result.error, HasSubstr(part));
-}
 
 TEST(ShellWord, IsWhatAShellReads) {
   for (const char* word : {"plain", "", "a b", "it's", "''", "\"$HOME\" `id` \\ !",

@@ -12,14 +12,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <iterator>
 #include <sstream>
 
 #include "app/child_process.h"
 #include "app/video.h"
 #include "scene/error.h"
-#include "support/program.h"
-#include "support/temporary_folder.h"
+#include "support/program_errors.h"
+#include "support/scene_folder.h"
 
 namespace restframe {
 namespace {
@@ -49,30 +48,21 @@ for last; do :; done
 exec /bin/cat > "$last"
 )";
 
-std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-class Video : public testing::Test {
+class Video : public testing::Test, public SceneFolder {
  protected:
-  Video() { folder_.write("scene.toml", kScene); }
+  Video() : SceneFolder(kScene) {}
 
   void install(const std::string& script) const {
-    fs::permissions(folder_.write("bin/ffmpeg", script), fs::perms::owner_all);
+    write("bin/ffmpeg", script);
+    fs::permissions(path("bin/ffmpeg"), fs::perms::owner_all);
   }
   RunResult render(const std::vector<std::string>& more, RunOptions options = {}) const {
-    std::vector<std::string> arguments = {"render", "scene.toml"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    options.folder = folder_.path();
     if (!options.path_variable) options.path_variable = "/nowhere::" + path("bin").string();
-    return run_program(RESTFRAME_PROGRAM, arguments, options);
+    return SceneFolder::render(more, options);
   }
-  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-  fs::path path(const std::string& name) const { return folder_.path() / name; }
   std::string pngs(int first, int last) const {
     std::string all;
-    for (int i = first; i <= last; ++i) all += content_of(path(fmt::format("p.{:02}.png", i)));
+    for (int i = first; i <= last; ++i) all += content(fmt::format("p.{:02}.png", i));
     return all;
   }
   // Of the folder "film", hidden ones too.
@@ -83,26 +73,16 @@ class Video : public testing::Test {
     }
     return names;
   }
-
- private:
-  TemporaryFolder folder_;
 };
-
-void expect_error(const RunResult& result, int code, const std::vector<std::string>& parts) {
-  EXPECT_EQ(result.exit_code, code);
-  EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-  EXPECT_EQ(result.error.rfind("error: ", 0), 0U) << result.error;
-  for (const std::string& part : parts) EXPECT_THAT(result.error, HasSubstr(part));
-}
 
 TEST_F(Video, HandsThePicturesInOrderAtTheScenesRate) {
   install(kRecorder);
   const RunResult result = render({"--video", "film/a b.mp4"});
   ASSERT_EQ(result.exit_code, 0) << result.error;
   EXPECT_THAT(result.out, HasSubstr("film/a b.mp4: 4 pictures, 12.5 a second"));
-  EXPECT_TRUE(content_of(path("film/a b.mp4")) == pngs(0, 3));
+  EXPECT_TRUE(content("film/a b.mp4") == pngs(0, 3));
   EXPECT_THAT(files_beside_film(), testing::ElementsAre("a b.mp4"));
-  const std::string arguments = content_of(path("arguments.txt"));
+  const std::string arguments = content("arguments.txt");
   EXPECT_THAT(arguments, HasSubstr("-framerate\n12.5\n"));
   EXPECT_THAT(arguments, HasSubstr("-pix_fmt\nyuv420p\n"));
   EXPECT_THAT(arguments, HasSubstr("pad=ceil(iw/2)*2:ceil(ih/2)*2"));
@@ -114,26 +94,25 @@ TEST_F(Video, IsMadeOfPicturesThatWereThere) {
   const auto time = fs::last_write_time(path("p.01.exr"));
   ASSERT_EQ(render({"--video", "film.mp4"}).exit_code, 0);
   EXPECT_EQ(fs::last_write_time(path("p.01.exr")), time);
-  EXPECT_TRUE(content_of(path("film.mp4")) == pngs(0, 3));
+  EXPECT_TRUE(content("film.mp4") == pngs(0, 3));
   // A part of them, over the film that is there.
   ASSERT_EQ(render({"--video", "film.mp4", "--pictures", "1-2", "--quiet"}).exit_code, 0);
-  EXPECT_TRUE(content_of(path("film.mp4")) == pngs(1, 2));
+  EXPECT_TRUE(content("film.mp4") == pngs(1, 2));
   ASSERT_EQ(render({"--video", "one.mp4", "-p", "3", "-o", "single.exr"}).exit_code, 0);
-  EXPECT_TRUE(content_of(path("one.mp4")) == content_of(path("single.png")));
+  EXPECT_TRUE(content("one.mp4") == content("single.png"));
 }
 
 TEST_F(Video, TurnsPreviewsOn) {
   install(kRecorder);
-  std::string scene = kScene;
-  write("scene.toml", scene.replace(scene.find("path ="), 0, "preview = false\n"));
+  change_scene("path =", "preview = false\npath =");
   ASSERT_EQ(render({"-o", "q.##.exr"}).exit_code, 0);
-  EXPECT_FALSE(fs::exists(path("q.00.png")));
-  const std::string before = content_of(path("q.02.exr"));
+  EXPECT_FALSE(exists("q.00.png"));
+  const std::string before = content("q.02.exr");
   ASSERT_EQ(render({"-o", "q.##.exr", "--video", "q.mp4"}).exit_code, 0);
-  EXPECT_TRUE(content_of(path("q.02.exr")) == before);
+  EXPECT_TRUE(content("q.02.exr") == before);
   ASSERT_EQ(render({"--video", "film.mp4"}).exit_code, 0);
-  EXPECT_TRUE(content_of(path("film.mp4")) == pngs(0, 3));
-  EXPECT_TRUE(content_of(path("q.mp4")) == pngs(0, 3));
+  EXPECT_TRUE(content("film.mp4") == pngs(0, 3));
+  EXPECT_TRUE(content("q.mp4") == pngs(0, 3));
 }
 
 TEST_F(Video, WithoutFfmpegNothingIsRendered) {
@@ -149,7 +128,7 @@ TEST_F(Video, WithoutFfmpegNothingIsRendered) {
   write("bin/ffmpeg", kRecorder);
   fs::permissions(path("bin/ffmpeg"), fs::perms::owner_read);
   expect_error(render({"--video", "film/x.mp4"}), 3, {"ffmpeg", "install"});
-  EXPECT_FALSE(fs::exists(path("p.00.exr")));
+  EXPECT_FALSE(exists("p.00.exr"));
 }
 
 TEST_F(Video, WhatCanNotBeMadeIsSaidBeforeRendering) {
@@ -158,13 +137,11 @@ TEST_F(Video, WhatCanNotBeMadeIsSaidBeforeRendering) {
   write("file", "");
   expect_error(render({"--video", "file/film.mp4"}), 3, {"file/film.mp4"});
   expect_error(render({"--video", "/proc/film.mp4"}), 3, {"/proc/film.mp4"});
-  std::string scene = kScene;
-  write("scene.toml", scene.replace(scene.find("12.5"), 4, "4e-7"));
+  change_scene("12.5", "4e-7");
   expect_error(render({"--video", "film.mp4"}), 2, {"animation.rate is 4e-07"});
-  scene = kScene;
-  write("scene.toml", scene.replace(scene.find("path ="), 0, "layers = [\"Z\"]\n"));
+  change_scene("path =", "layers = [\"Z\"]\npath =");
   expect_error(render({"--video", "film.mp4"}), 2, {"beauty"});
-  EXPECT_FALSE(fs::exists(path("p.00.exr")));
+  EXPECT_FALSE(exists("p.00.exr"));
 }
 
 TEST_F(Video, AFailureShowsWhatFfmpegSaid) {
@@ -177,7 +154,7 @@ TEST_F(Video, AFailureShowsWhatFfmpegSaid) {
   install("#!/nowhere/sh\n");
   expect_error(render({"--video", "film/x.mp4"}), 3, {"bin/ffmpeg: can not be started"});
   EXPECT_TRUE(fs::is_empty(path("film")));
-  EXPECT_TRUE(fs::exists(path("p.03.exr")));
+  EXPECT_TRUE(exists("p.03.exr"));
 }
 
 // More than a pipe holds, to one who does not take it all, or says more than a pipe holds.
@@ -204,9 +181,9 @@ TEST_F(Video, SigtermEndsFfmpegToo) {
   const RunResult result = render({"--video", "film/x.mp4"}, options);
   expect_error(result, 130, {"interrupted"});
   EXPECT_LT(result.duration.count(), 1500 + 3000);
-  EXPECT_EQ(content_of(path("film/x.mp4")), "the film before");
+  EXPECT_EQ(content("film/x.mp4"), "the film before");
   EXPECT_THAT(files_beside_film(), testing::ElementsAre("x.mp4"));
-  const pid_t process = std::stoi(content_of(path("process.txt")));
+  const pid_t process = std::stoi(content("process.txt"));
   EXPECT_EQ(kill(process, 0), -1);
   EXPECT_EQ(errno, ESRCH);
 }

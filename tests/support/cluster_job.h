@@ -4,11 +4,10 @@
 // shell or Slurm could misread.
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "support/file_bytes.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -48,10 +47,7 @@ class ClusterJob {
   void write(const std::string& name, const std::string& text) const {
     folder_.write(std::filesystem::path(kName) / name, text);
   }
-  std::string content(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  std::string content(const std::string& name) const { return bytes_of(path(name)); }
   void install(const std::string& program, const std::string& script) const {
     write("bin/" + program, script);
     std::filesystem::permissions(path("bin/" + program), std::filesystem::perms::owner_all);
