@@ -1,5 +1,5 @@
 // Points of the samples of one pixel and of its neighbours: each elementary interval holds its number
-// of them, exactly; uses of random numbers do not know of each other.
+// of them, exactly.
 
 #include "tracer/low_discrepancy.h"
 
@@ -10,36 +10,17 @@
 #include <cmath>
 #include <vector>
 
-#include "tracer/random.h"
+#include "support/sample_points.h"
 
 namespace restframe {
 namespace {
 
-struct Point {
-  double u, v;
-};
-
-PacketId packet(std::uint32_t sample_bits, std::uint64_t seed = 3) {
-  PacketId id;
-  id.seed = seed;
-  id.picture = 2;
-  id.sample_bits = sample_bits;
-  for (int i = 0; i < packet_size; ++i) id.pixel[i] = 4096U + static_cast<std::uint32_t>(i);
-  return id;
-}
-
-Point point_of(PacketId& id, int lane, std::uint32_t sample, std::uint32_t index = 0) {
-  id.sample = sample;
-  return {static_cast<double>(random_unit(id, lane, Dimension::direction_u, index)),
-          static_cast<double>(random_unit(id, lane, Dimension::direction_v, index))};
-}
-
 // Whether each of the 2^k rectangles of every shape 2^-i by 2^(i - k) holds one of the 2^k points.
-bool is_net(const std::vector<Point>& points) {
+bool is_net(const std::vector<SamplePoint>& points) {
   const int k = bits_for(static_cast<int>(points.size()));
   for (int i = 0; i <= k; ++i) {
     std::vector<int> held(points.size());
-    for (const Point& p : points) {
+    for (const SamplePoint& p : points) {
       const auto column = static_cast<std::size_t>(std::ldexp(p.u, i));
       const auto row = static_cast<std::size_t>(std::ldexp(p.v, k - i));
       ++held[(column << (k - i)) | row];
@@ -49,9 +30,9 @@ bool is_net(const std::vector<Point>& points) {
   return true;
 }
 
-std::vector<Point> run_of(PacketId id, int lane, std::uint32_t first, std::uint32_t count,
-                          std::uint32_t index) {
-  std::vector<Point> points;
+std::vector<SamplePoint> run_of(PacketId id, int lane, std::uint32_t first, std::uint32_t count,
+                                std::uint32_t index) {
+  std::vector<SamplePoint> points;
   for (std::uint32_t s = first; s < first + count; ++s) {
     points.push_back(point_of(id, lane, s, index));
   }
@@ -138,7 +119,7 @@ TEST(LowDiscrepancy, SetsOfDimensionsAreNets) {
 
 // A test that no set of points fails tells nothing.
 TEST(LowDiscrepancy, OtherPointsAreNoNet) {
-  std::vector<Point> points = run_of(packet(8), 0, 0, 64, 0);
+  std::vector<SamplePoint> points = run_of(packet(8), 0, 0, 64, 0);
   points[5].u = points[6].u;
   EXPECT_FALSE(is_net(points));
 }
@@ -162,7 +143,7 @@ TEST(LowDiscrepancy, AllSamplesOfASquareOfPixelsAreANet) {
   for (const std::uint32_t bits : {0U, 1U, 4U}) {
     for (std::uint32_t index = 0; index < 8; ++index) {
       for (const int pixels : {4, 16}) {
-        std::vector<Point> points;
+        std::vector<SamplePoint> points;
         for (int lane = 0; lane < pixels; ++lane) {
           const auto own = run_of(packet(bits), lane, 0, 1U << bits, index);
           points.insert(points.end(), own.begin(), own.end());
@@ -224,153 +205,6 @@ TEST(LowDiscrepancy, ScramblingFlipsEachNodeOfTheTreeIndependently) {
       for (std::size_t s = 0; s < seeds; ++s) sum += flips[i][s] * (i == j ? 1 : flips[j][s]);
       EXPECT_LT(std::abs(sum / deviation), 5) << i << ' ' << j;
     }
-  }
-}
-
-// Counts of two dimensions' numbers in 8 x 8 cells, over the samples of many pixels that are strangers
-// to each other. Rows and columns hold equally many by stratification, which leaves 49 degrees of
-// freedom; dimensions that know of each other would give many times more than that.
-double chi_squared_of(Dimension a, std::uint32_t index_a, Dimension b, std::uint32_t index_b) {
-  constexpr int cells = 8;
-  constexpr std::uint32_t samples = 64, pixels = 400;
-  std::vector<double> held(static_cast<std::size_t>(cells * cells));
-  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
-    PacketId id = packet(6, pixel);
-    for (id.sample = 0; id.sample < samples; ++id.sample) {
-      const int x = static_cast<int>(cells * random_unit(id, 2, a, index_a));
-      const int y = static_cast<int>(cells * random_unit(id, 2, b, index_b));
-      held[static_cast<std::size_t>(cells * y + x)] += 1;
-    }
-  }
-  constexpr double expected = double{samples} * pixels / (cells * cells);
-  double sum = 0;
-  for (const double n : held) sum += (n - expected) * (n - expected) / expected;
-  return sum;
-}
-
-TEST(LowDiscrepancy, UsesAreIndependentOfEachOther) {
-  // 49 degrees of freedom: beyond 100 with a probability of 2e-5.
-  EXPECT_LT(chi_squared_of(Dimension::lobe, 0, Dimension::survival, 0), 100);
-  EXPECT_LT(chi_squared_of(Dimension::opacity, 0, Dimension::direction_u, 0), 100);
-  EXPECT_LT(chi_squared_of(Dimension::survival, 1, Dimension::direction_v, 1), 100);
-  EXPECT_LT(chi_squared_of(Dimension::direction_u, 0, Dimension::direction_u, 1), 100);
-  EXPECT_LT(chi_squared_of(Dimension::direction_v, 0, Dimension::direction_v, 1), 100);
-  EXPECT_LT(chi_squared_of(Dimension::direction_u, 3, Dimension::direction_v, 7), 100);
-  EXPECT_GT(chi_squared_of(Dimension::lobe, 4, Dimension::lobe, 4), 1000);
-}
-
-// The mean of f over the samples of a pixel is as good as it should be: for an edge across the square
-// the squared error falls with the 3/2 power of their number, for independent samples with the first.
-double edge_error(std::uint32_t samples, bool sequence) {
-  double sum = 0;
-  constexpr std::uint32_t pixels = 500;
-  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
-    PacketId id = packet(8, pixel);
-    double inside = 0;
-    for (std::uint32_t s = 0; s < samples; ++s) {
-      if (!sequence) id.replicate = s;
-      const Point p = point_of(id, 0, sequence ? s : 0);
-      if (std::hypot(p.u, p.v) < 0.8) inside += 1.0 / samples;
-    }
-    const double error = inside - 0.16 * std::acos(-1.0);
-    sum += error * error / pixels;
-  }
-  return sum;
-}
-
-TEST(LowDiscrepancy, ErrorsFallFasterThanWithIndependentNumbers) {
-  EXPECT_NEAR(edge_error(64, false) * 64, 0.2500, 0.06);  // p (1 - p), p = 0.5027
-  EXPECT_LT(edge_error(64, true), 0.15 * edge_error(64, false));
-  EXPECT_LT(edge_error(256, true), 0.2 * edge_error(64, true));
-}
-
-// A choice by chance between two things to integrate: the lobe is no stranger to the direction.
-double choice_error(std::uint32_t samples, bool sequence) {
-  double sum = 0;
-  constexpr std::uint32_t pixels = 500;
-  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
-    PacketId id = packet(8, pixel);
-    double mean = 0;
-    for (std::uint32_t s = 0; s < samples; ++s) {
-      if (!sequence) id.replicate = s;
-      const Point p = point_of(id, 0, sequence ? s : 0);
-      const bool edge = random_unit(id, 0, Dimension::lobe, 0) < 0.3F;
-      const double smooth = 4 * p.u * p.v;
-      mean += (edge ? (std::hypot(p.u, p.v) < 0.8 ? 1.0 : 0.0) : smooth) / samples;
-    }
-    const double error = mean - (0.3 * 0.16 * std::acos(-1.0) + 0.7);
-    sum += error * error / pixels;
-  }
-  return sum;
-}
-
-TEST(LowDiscrepancy, SoDoThoseOfAChoiceBetweenLobes) {
-  EXPECT_LT(choice_error(64, true), 0.15 * choice_error(64, false));
-  EXPECT_LT(choice_error(256, true), 0.2 * choice_error(64, true));
-}
-
-// Errors of pixels side by side make up for each other: what is left after a blur is a fraction of what
-// errors would leave that are strangers to each other.
-struct ErrorPicture {
-  static constexpr int size = 64;
-  std::vector<double> error;
-
-  double at(int x, int y) const { return error[static_cast<std::size_t>(y * size + x)]; }
-};
-
-ErrorPicture error_picture(std::uint32_t bits, bool along_curve) {
-  ErrorPicture picture;
-  PacketId id;
-  id.seed = 9;
-  id.sample_bits = along_curve ? bits : 32;
-  for (std::uint32_t y = 0; y < ErrorPicture::size; ++y) {
-    for (std::uint32_t x = 0; x < ErrorPicture::size; ++x) {
-      id.pixel[0] = morton_place(x, y);
-      double mean = 0;
-      for (std::uint32_t s = 0; s < (1U << bits); ++s) {
-        const Point p = point_of(id, 0, s);
-        mean += std::hypot(p.u, p.v) < 0.8 ? std::ldexp(1.0, -static_cast<int>(bits)) : 0.0;
-      }
-      picture.error.push_back(mean - 0.16 * std::acos(-1.0));
-    }
-  }
-  return picture;
-}
-
-// The power that a Gaussian of this standard deviation leaves, over what it leaves of white noise of the
-// same power: 1 for white noise.
-double coarse_power(const ErrorPicture& picture, double sigma) {
-  const int reach = static_cast<int>(std::ceil(3 * sigma));
-  const auto weight = [&](int d) { return std::exp(-0.5 * d * d / (sigma * sigma)); };
-  double squares = 0, weights = 0, white = 0, all = 0, pixels = 0;
-  for (int a = -reach; a <= reach; ++a) {
-    weights += weight(a);
-    squares += weight(a) * weight(a);
-  }
-  for (const double e : picture.error) all += e * e / static_cast<double>(picture.error.size());
-  white = all * std::pow(squares / (weights * weights), 2);
-  double power = 0;
-  for (int y = reach; y < ErrorPicture::size - reach; ++y) {
-    for (int x = reach; x < ErrorPicture::size - reach; ++x) {
-      double sum = 0;
-      for (int b = -reach; b <= reach; ++b) {
-        for (int a = -reach; a <= reach; ++a)
-          sum += weight(a) * weight(b) * picture.at(x + a, y + b);
-      }
-      power += std::pow(sum / (weights * weights), 2);
-      ++pixels;
-    }
-  }
-  return power / pixels / white;
-}
-
-TEST(LowDiscrepancy, ErrorsOfNeighboursMakeUpForEachOther) {
-  for (const std::uint32_t bits : {0U, 2U, 4U}) {
-    const double fine = coarse_power(error_picture(bits, true), 2.0);
-    const double white = coarse_power(error_picture(bits, false), 2.0);
-    EXPECT_LT(fine, 0.35) << bits;
-    EXPECT_GT(white, 0.6) << bits;
-    RecordProperty("coarse_power_" + std::to_string(1 << bits), std::to_string(fine));
   }
 }
 
