@@ -145,11 +145,37 @@ TEST(SkyDistribution, ToldChancesAreThoseItChoosesBy) {
   }
 }
 
-// A sky at rest in a frame of its own, its directions as surfaces of another velocity see them: what
-// falls into each part of their sphere is what the density there says (aberration's Jacobian, D^2).
-class MovingSky : public ::testing::TestWithParam<double> {};
+// Sums over directions that were chosen, for each of equal parts of the sphere.
+class SphereBins {
+ public:
+  void add(const Vec3f& d, double density) {
+    const int band = std::min(bands - 1, static_cast<int>(bands * 0.5F * (1 + d.z)));
+    const double turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x));
+    const int sector = std::min(sectors - 1, static_cast<int>(sectors * (0.5 + turn / (2 * pi))));
+    const auto bin = static_cast<std::size_t>(band * sectors + sector);
+    inverse_[bin] += 1 / density;
+    squares_[bin] += 1 / (density * density);
+    ++count_;
+  }
 
-TEST_P(MovingSky, DensitiesAreThoseOfTheSurfacesFrame) {
+  // The mean of 1 / density over a bin's indicator is the bin's solid angle.
+  void expect_solid_angles() const {
+    const double n = count_, solid_angle = 4 * pi / (bands * sectors);
+    for (std::size_t bin = 0; bin < inverse_.size(); ++bin) {
+      const double mean = inverse_[bin] / n;
+      const double error = std::sqrt((squares_[bin] / n - mean * mean) / n);
+      EXPECT_NEAR(mean, solid_angle, sidak_bound(inverse_.size()) * error) << bin;
+    }
+  }
+
+ private:
+  static constexpr int bands = 6, sectors = 8;
+  std::vector<double> inverse_ = std::vector<double>(bands * sectors);
+  std::vector<double> squares_ = std::vector<double>(bands * sectors);
+  int count_ = 0;
+};
+
+Scene scene_of_moving_sky(const Vec3& beta) {
   Scene scene;
   scene.sky_maps = {map_of(16, 8, [](int x, int y) {
     return Vec3f(1 + static_cast<float>(x % 5), 1 + static_cast<float>(y), 1);
@@ -157,8 +183,17 @@ TEST_P(MovingSky, DensitiesAreThoseOfTheSurfacesFrame) {
   Light light;
   light.kind = LightKind::environment;
   light.sky_map = 0;
-  light.worldline.velocity = Velocity::from_beta({0, GetParam(), 0});
+  light.worldline.velocity = Velocity::from_beta(beta);
   scene.lights = {light};
+  return scene;
+}
+
+// A sky at rest in a frame of its own, its directions as surfaces of another velocity see them: what
+// falls into each part of their sphere is what the density there says (aberration's Jacobian, D^2).
+class MovingSky : public ::testing::TestWithParam<double> {};
+
+TEST_P(MovingSky, DensitiesAreThoseOfTheSurfacesFrame) {
+  const Scene scene = scene_of_moving_sky({0, GetParam(), 0});
   const std::vector<Environment> skies = environments(scene);
   const Boost<in::Rest, in::World> surface(Velocity::from_beta({0.3, -0.2, 0.1}));
   LitLanes lit;
@@ -170,9 +205,8 @@ TEST_P(MovingSky, DensitiesAreThoseOfTheSurfacesFrame) {
   TemporalEvaluator evaluator(scene.functions);
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<float> number(0, 1);
-  constexpr int bands = 6, sectors = 8, packets = 20'000;
-  std::vector<double> counts(bands * sectors), inverse(bands * sectors), squares(bands * sectors);
-  for (int p = 0; p < packets; ++p) {
+  SphereBins bins;
+  for (int packet = 0; packet < 20'000; ++packet) {
     Lanes<float> u, v;
     for (int i = 0; i < packet_size; ++i) {
       u[i] = number(generator);
@@ -183,23 +217,10 @@ TEST_P(MovingSky, DensitiesAreThoseOfTheSurfacesFrame) {
     incident_from_sky(skies[0], event, lit, {1, false}, u, v, evaluator, incident, density);
     for (int i = 0; i < packet_size; ++i) {
       ASSERT_NE(incident.active[i], 0);
-      const Vec3f d = incident.direction.at(i);
-      const int band = std::min(bands - 1, static_cast<int>(bands * 0.5F * (1 + d.z)));
-      const double turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x));
-      const int sector = std::min(sectors - 1, static_cast<int>(sectors * (0.5 + turn / (2 * pi))));
-      const auto bin = static_cast<std::size_t>(band * sectors + sector);
-      counts[bin] += 1;
-      inverse[bin] += 1 / density[i];
-      squares[bin] += 1 / (density[i] * density[i]);
+      bins.add(incident.direction.at(i), density[i]);
     }
   }
-  // The mean of 1 / density over a bin's indicator is the bin's solid angle.
-  const double n = packets * packet_size, solid_angle = 4 * pi / (bands * sectors);
-  for (std::size_t bin = 0; bin < counts.size(); ++bin) {
-    const double mean = inverse[bin] / n;
-    const double error = std::sqrt((squares[bin] / n - mean * mean) / n);
-    EXPECT_NEAR(mean, solid_angle, sidak_bound(counts.size()) * error) << bin;
-  }
+  bins.expect_solid_angles();
 }
 
 INSTANTIATE_TEST_SUITE_P(At, MovingSky, ::testing::Values(0.0, 0.5, 0.9));

@@ -1,0 +1,31 @@
+#pragma once
+
+// Scene files of a few lit surfaces, part by part.
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "support/loaded_scene.h"
+
+namespace restframe {
+
+inline std::string camera_at(const Vec3& position, double fov, const std::string& render_keys) {
+  reference::ObserverCamera camera;
+  camera.position = position;
+  camera.width = camera.height = 12;
+  camera.vertical_fov = fov;
+  return camera_text(camera, render_keys);
+}
+
+inline std::string placed(const std::string& asset, const std::string& material,
+                          const std::string& more = "") {
+  return fmt::format("[[object]]\nname = \"{0}\"\nasset = \"{0}.obj\"\nmaterial = \"{1}\"\n{2}\n",
+                     asset, material, more);
+}
+
+inline std::string material(const std::string& name, const std::string& keys) {
+  return fmt::format("[[material]]\nname = \"{}\"\n{}\n", name, keys);
+}
+
+}  // namespace restframe
