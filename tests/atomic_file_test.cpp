@@ -7,9 +7,9 @@
 
 #include <csignal>
 #include <fstream>
-#include <iterator>
 
 #include "scene/error.h"
+#include "support/file_bytes.h"
 #include "support/temporary_folder.h"
 
 namespace restframe {
@@ -19,11 +19,6 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
@@ -49,14 +44,14 @@ TEST(AtomicFile, WritesBytesAndReplacesWhatWasThere) {
   const fs::path path = folder.path() / "a.bin";
   write_text(path, "first");
   write_text(path, std::string_view("\0\xff\n", 3));
-  EXPECT_EQ(content_of(path), std::string("\0\xff\n", 3));
+  EXPECT_EQ(bytes_of(path), std::string("\0\xff\n", 3));
   EXPECT_THAT(names_in(folder.path()), ::testing::ElementsAre("a.bin"));
 }
 
 TEST(AtomicFile, CreatesMissingFolders) {
   const TemporaryFolder folder;
   write_text(folder.path() / "b" / "c" / "a.txt", "x");
-  EXPECT_EQ(content_of(folder.path() / "b" / "c" / "a.txt"), "x");
+  EXPECT_EQ(bytes_of(folder.path() / "b" / "c" / "a.txt"), "x");
 }
 
 TEST(AtomicFile, WritesPiecesOfAnySizeInOrder) {
@@ -69,7 +64,7 @@ TEST(AtomicFile, WritesPiecesOfAnySizeInOrder) {
       expected += piece;
     }
   });
-  EXPECT_EQ(content_of(folder.path() / "a"), expected);
+  EXPECT_EQ(bytes_of(folder.path() / "a"), expected);
 }
 
 TEST(AtomicFile, IsNotThereBeforeItIsWhole) {
@@ -78,10 +73,10 @@ TEST(AtomicFile, IsNotThereBeforeItIsWhole) {
   write_text(path, "old");
   write_file_atomically(path, [&](AtomicFile& file) {
     file.write(std::string(1'000'000, 'x'));
-    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(bytes_of(path), "old");
     EXPECT_EQ(names_in(folder.path()).size(), 2U);
   });
-  EXPECT_EQ(content_of(path).size(), 1'000'000U);
+  EXPECT_EQ(bytes_of(path).size(), 1'000'000U);
 }
 
 TEST(AtomicFile, KeepsNothingOfAProducerThatThrows) {
@@ -112,7 +107,7 @@ TEST(AtomicFile, FollowsALinkToAFile) {
   fs::create_symlink("real/a", folder.path() / "link");
   write_text(folder.path() / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
-  EXPECT_EQ(content_of(folder.path() / "real" / "a"), "new");
+  EXPECT_EQ(bytes_of(folder.path() / "real" / "a"), "new");
 }
 
 TEST(AtomicFile, SaysWhyAPathCanNotBeWritten) {
@@ -168,7 +163,7 @@ TEST(AtomicFile, LeavesNothingPartialWhenThereIsNoRoom) {
       failure = failure_of([&] { write_text(path, std::string(size, 'x')); });
     }
     EXPECT_THAT(failure, AllOf(HasSubstr(path.string()), HasSubstr("File too large")));
-    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(bytes_of(path), "old");
     EXPECT_THAT(names_in(folder.path()), ::testing::ElementsAre("a"));
   }
 }

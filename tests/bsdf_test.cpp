@@ -156,18 +156,22 @@ TEST(Scattering, ThroughGlassWeighsLittleMoreThanItsColour) {
   }
 }
 
+// The part of the light that is scattered, wherever to.
+Estimate light_scattered(const Bsdf& bsdf) {
+  Chooser chooser(1);
+  Mean mean;
+  for (int i = 0; i < 2000; ++i) {
+    const auto way = chooser(bsdf);
+    mean.add(way ? static_cast<double>(way->weight.x) : 0.0);
+  }
+  return mean.estimate();
+}
+
 TEST(Scattering, NeverGivesMoreThanItGets) {
   for (const BsdfKind& kind : all_kinds()) {
     for (const double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
       for (double theta = 0; theta < 1.57; theta += 0.5) {
-        Chooser chooser(1);
-        Mean mean;
-        const Bsdf bsdf = kind.seen_at(theta, roughness);
-        for (int i = 0; i < 2000; ++i) {
-          const auto way = chooser(bsdf);
-          mean.add(way ? static_cast<double>(way->weight.x) : 0.0);
-        }
-        const Estimate sum = mean.estimate();
+        const Estimate sum = light_scattered(kind.seen_at(theta, roughness));
         EXPECT_LE(sum.mean, 1.008 + 5 * sum.deviation)
             << kind.name << " roughness " << roughness << " theta " << theta;
       }
@@ -180,14 +184,7 @@ TEST(Scattering, KeepsAllLightWhatIsWhite) {
   for (const BsdfKind& kind : white_kinds()) {
     for (const double roughness : {0.0, 0.05, 0.15, 0.3, 0.6, 1.0}) {
       for (const double theta : {0.0, 0.7, 1.2, 1.45}) {
-        Chooser chooser(1);
-        Mean mean;
-        const Bsdf bsdf = kind.seen_at(theta, roughness);
-        for (int i = 0; i < 2000; ++i) {
-          const auto way = chooser(bsdf);
-          mean.add(way ? static_cast<double>(way->weight.x) : 0.0);
-        }
-        const Estimate sum = mean.estimate();
+        const Estimate sum = light_scattered(kind.seen_at(theta, roughness));
         EXPECT_NEAR(sum.mean, 1, 0.01 + 5 * sum.deviation)
             << kind.name << " roughness " << roughness << " theta " << theta;
       }

@@ -8,13 +8,10 @@
 
 #include "scene/color_names.h"
 #include "scene/suggest.h"
+#include "support/expect_near.h"
 
 namespace restframe {
 namespace {
-
-void expect_near(const Vec3f& a, const Vec3f& b, float tolerance) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << i;
-}
 
 TEST(Color, NamesThatThePaperUsesInAnyCase) {
   EXPECT_EQ(color_from_text("Yellow"), Vec3f(1, 1, 0));

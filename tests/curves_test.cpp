@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <sstream>
 
 #include "physics/doppler.h"
+#include "support/file_bytes.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -37,11 +37,6 @@ long double crossover_degrees(long double beta) {
   return std::acos(std::sqrt((gamma - 1) / (gamma + 1))) / kDegree - 90;
 }
 
-std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
@@ -49,7 +44,7 @@ struct Table {
 
 Table table_of(const fs::path& csv) {
   Table table;
-  std::istringstream lines(content_of(csv));
+  std::istringstream lines(bytes_of(csv));
   for (std::string line; std::getline(lines, line);) {
     std::istringstream cells(line);
     const bool head = table.names.empty();
@@ -187,7 +182,7 @@ std::vector<std::string> words_in(const std::string& svg, const std::string& att
 
 TEST_F(Curves, DrawingMarksWhatThePaperNames) {
   ASSERT_EQ(curves().exit_code, 0);
-  const std::string svg = content_of(path("out/curves.svg"));
+  const std::string svg = bytes_of(path("out/curves.svg"));
   EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
   // Red, green and brown; each with its factor at -90 degrees, its cross-over angle and 1/gamma.
@@ -207,7 +202,7 @@ TEST_F(Curves, AnySpeedsAreDrawnInsideTheDrawing) {
   const RunResult result =
       curves({"-o", "many.svg", "--speeds", "0,1e-9,0.2,0.5,0.7,0.99,0.999999,0.9999999999"});
   ASSERT_EQ(result.exit_code, 0) << result.error;
-  const std::string svg = content_of(path("many.svg"));
+  const std::string svg = bytes_of(path("many.svg"));
   EXPECT_THAT(svg, testing::Not(HasSubstr("nan")));
   EXPECT_THAT(svg, testing::Not(HasSubstr("inf")));
   EXPECT_EQ(table_of(path("many.csv")).names.size(), 9U);
@@ -254,8 +249,8 @@ TEST_F(Curves, AFullDiskLeavesNothing) {
 
 TEST_F(Curves, ThePictureOfFigure5IsWhatTheProgramDraws) {
   ASSERT_EQ(curves().exit_code, 0);
-  EXPECT_EQ(content_of(path("out/curves.svg")),
-            content_of(fs::path(RESTFRAME_SOURCE_DIR) / "scenes/fig05_curves/picture.svg"));
+  EXPECT_EQ(bytes_of(path("out/curves.svg")),
+            bytes_of(fs::path(RESTFRAME_SOURCE_DIR) / "scenes/fig05_curves/picture.svg"));
 }
 
 }  // namespace

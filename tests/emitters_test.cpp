@@ -11,6 +11,7 @@
 
 #include "scene/parallel.h"
 #include "support/picture_statistics.h"
+#include "support/solid_angles.h"
 #include "support/velocity_grid.h"
 #include "tracer/emitter_points.h"
 #include "tracer/emitter_power.h"
@@ -291,7 +292,7 @@ TEST_P(SeenPoints, HaveDensitiesOfTheSurfacesFrame) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<float> number(0, 1);
   constexpr int packets = 4000, parts = 8;
-  std::vector<double> sums(parts), squares(parts);
+  SolidAngles angles(parts);
   for (int p = 0; p < packets; ++p) {
     PointNumbers numbers;
     for (int i = 0; i < packet_size; ++i) {
@@ -309,16 +310,10 @@ TEST_P(SeenPoints, HaveDensitiesOfTheSurfacesFrame) {
       if (incident.active[i] == 0) continue;
       const Vec3f d = incident.direction.at(i);
       const std::size_t octant = (d.x < 0 ? 1U : 0U) + (d.y < 0 ? 2U : 0U) + (d.z < 0 ? 4U : 0U);
-      sums[octant] += 1 / seen.density[i];
-      squares[octant] += 1 / (seen.density[i] * seen.density[i]);
+      angles.add(octant, seen.density[i]);
     }
   }
-  const double n = packets * packet_size;
-  for (std::size_t octant = 0; octant < parts; ++octant) {
-    const double mean = sums[octant] / n;
-    const double error = std::sqrt((squares[octant] / n - mean * mean) / n);
-    EXPECT_NEAR(mean, 3.14159265358979 / 2, sidak_bound(3 * parts) * error) << octant;
-  }
+  angles.expect_equal(packets * packet_size, sidak_bound(3 * parts));
 }
 
 INSTANTIATE_TEST_SUITE_P(At, SeenPoints,

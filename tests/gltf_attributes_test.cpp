@@ -13,9 +13,9 @@ using nlohmann::json;
 using test::expect_fault;
 using test::fault_of_bytes;
 using test::GltfBuilder;
+using test::triangle;
 using GltfAttributes = test::GltfReading;
 
-const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 const std::string at = "/meshes/0/primitives/0/attributes";
 
 // A triangle with one more attribute, whose accessor `make` adds.

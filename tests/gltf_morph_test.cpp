@@ -12,17 +12,11 @@ namespace {
 
 using nlohmann::json;
 using test::expect_fault;
+using test::expect_near;
 using test::fault_of_bytes;
 using test::GltfBuilder;
+using test::triangle;
 using GltfMorph = test::GltfReading;
-
-const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-
-void expect_near(const Vec3f& value, const Vec3f& expected) {
-  EXPECT_LT(glm::distance(value, expected), 1e-6F)
-      << value.x << " " << value.y << " " << value.z << ", expected " << expected.x << " "
-      << expected.y << " " << expected.z;
-}
 
 // A triangle with normals (+z), tangents (+x) and UVs, and two targets: one lifts the third corner by
 // 2, turns its normal and moves its UV; the other moves the second corner along x, by a sparse

@@ -12,17 +12,11 @@ namespace {
 
 using nlohmann::json;
 using test::expect_fault;
+using test::expect_near;
 using test::fault_of_bytes;
 using test::GltfBuilder;
+using test::triangle;
 using GltfSkin = test::GltfReading;
-
-const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-
-void expect_near(const Vec3f& value, const Vec3f& expected) {
-  EXPECT_LT(glm::distance(value, expected), 1e-6F)
-      << value.x << " " << value.y << " " << value.z << ", expected " << expected.x << " "
-      << expected.y << " " << expected.z;
-}
 
 // A triangle whose corners hang on two joints: the first on joint 0, the second on joint 1, the third
 // half on each. Joint 0 is at the origin of the scene; joint 1 stands 5 up and is turned a quarter

@@ -8,6 +8,7 @@
 
 #include "scene/generators.h"
 #include "support/scene_reading.h"
+#include "support/triangle_mesh.h"
 
 namespace restframe {
 namespace {
@@ -15,14 +16,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-Mesh mesh_of(std::vector<Vec3f> positions, std::vector<Triangle> triangles) {
-  Mesh mesh;
-  mesh.positions = std::move(positions);
-  mesh.triangles = std::move(triangles);
-  mesh.materials = {{0, 0}};
-  return mesh;
-}
 
 Mesh tetrahedron() {
   return mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},

@@ -6,19 +6,12 @@
 
 #include "importers/crease_sectors.h"
 #include "importers/importers.h"
+#include "support/triangle_mesh.h"
 
 namespace restframe {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Mesh mesh_of(std::vector<Vec3f> positions, std::vector<Triangle> triangles) {
-  Mesh mesh;
-  mesh.positions = std::move(positions);
-  mesh.triangles = std::move(triangles);
-  mesh.materials = {{0, 0}};
-  return mesh;
-}
 
 // The cube [0, 1]^3; bit i of a vertex's number is its coordinate i.
 Mesh cube() {

@@ -7,11 +7,11 @@
 
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <thread>
 
 #include "scene/error.h"
+#include "support/file_bytes.h"
 #include "support/temporary_folder.h"
 
 namespace restframe {
@@ -68,11 +68,6 @@ int same_pixels(const Picture& a, const Picture& b, const PixelWindow& tile) {
     }
   }
   return same;
-}
-
-std::string content_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 class PartFile : public testing::Test {
@@ -141,7 +136,7 @@ TEST_F(PartFile, HoldsSeveralViews) {
 }
 
 TEST_F(PartFile, TornOnesAreKnown) {
-  const std::string whole = content_of(path());
+  const std::string whole = bytes_of(path());
   ASSERT_LT(whole.size(), 4000U);
   View read;
   const std::vector<PartView> views = {read.part()};
@@ -178,11 +173,11 @@ TEST_F(PartFile, OfAnotherShapeFitsNot) {
 }
 
 TEST_F(PartFile, IsNotWrittenOnceItIsStopped) {
-  const std::string before = content_of(path());
+  const std::string before = bytes_of(path());
   made_.done.mark(0);
   const std::vector<PartView> views = {made_.part()};
   EXPECT_FALSE(write_part(path(), info_, views, std::atomic<bool>(true)));
-  EXPECT_EQ(content_of(path()), before);
+  EXPECT_EQ(bytes_of(path()), before);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder().path()), {}), 1);
 }
 

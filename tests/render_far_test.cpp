@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
 
 #include "support/sphere_scene.h"
 
@@ -62,13 +61,6 @@ SphereScene moved(SphereScene scene, const Vec3& by, double time, double later) 
   camera.time += time;
   scene.start += later;
   return scene;
-}
-
-std::pair<double, double> time_origins(const ExrPicture& picture) {
-  std::istringstream text(picture.attributes.at("timeOrigin"));
-  double proper = 0, world = 0;
-  text >> proper >> world;
-  return {proper, world};
 }
 
 // The pixel or one beside it shows something else than its neighbours: an edge is near.

@@ -36,12 +36,6 @@ std::string glass_material(const std::string& name, double ior, const std::strin
       name, ior, more);
 }
 
-std::string placed(const std::string& asset, const std::string& material,
-                   const std::string& more = "") {
-  return fmt::format("[[object]]\nname = \"{0}\"\nasset = \"{0}.obj\"\nmaterial = \"{1}\"\n{2}\n",
-                     asset, material, more);
-}
-
 Vec3 sum_of(const ExrPicture& picture) {
   Vec3 sum(0);
   for (std::size_t i = 0; i < picture.channel("G").size(); ++i) {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
 
 #include "support/sphere_scene.h"
 
@@ -59,13 +58,6 @@ SphereScene crowd(double light_speed) {
   add_sphere(scene, 1000, 0.01, {0.25, 0.15, -1}, 14, 1.7);
   add_sphere(scene, 1000, 0.001, {-0.35, -0.1, -1}, 9, 1.5);
   return scene;
-}
-
-std::pair<double, double> time_origins(const ExrPicture& picture) {
-  std::istringstream text(picture.attributes.at("timeOrigin"));
-  double proper = 0, world = 0;
-  text >> proper >> world;
-  return {proper, world};
 }
 
 // How far a float in the file may be from the number that was rounded to it.

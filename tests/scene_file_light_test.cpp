@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/expect_near.h"
 #include "support/scene_reading.h"
 
 namespace restframe {
@@ -17,10 +18,6 @@ using ::testing::SizeIs;
 
 const std::string path_and_ball =
     "[render]\nintegrator = \"path\"\n[[object]]\nname = \"ball\"\nsphere = {fineness = 0}\n";
-
-void expect_near(const Vec3& a, const Vec3& b) {
-  EXPECT_NEAR(glm::length(a - b), 0, 1e-12) << a.x << ' ' << a.y << ' ' << a.z;
-}
 
 class SceneFileLight : public SceneReading {
  protected:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/expect_near.h"
 #include "support/surface_reading.h"
 
 namespace restframe {
@@ -13,10 +14,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using SceneFile = SceneReading;
-
-void expect_near(const Vec3& a, const Vec3& b) {
-  EXPECT_NEAR(glm::length(a - b), 0, 1e-12) << a.x << ' ' << a.y << ' ' << a.z;
-}
 
 // A file with every section and key.
 const char* const every_section = R"(

@@ -11,6 +11,7 @@
 
 #include "support/long_vectors.h"
 #include "support/picture_statistics.h"
+#include "support/solid_angles.h"
 #include "support/velocity_grid.h"
 #include "tracer/environment.h"
 
@@ -145,35 +146,15 @@ TEST(SkyDistribution, ToldChancesAreThoseItChoosesBy) {
   }
 }
 
-// Sums over directions that were chosen, for each of equal parts of the sphere.
-class SphereBins {
- public:
-  void add(const Vec3f& d, double density) {
-    const int band = std::min(bands - 1, static_cast<int>(bands * 0.5F * (1 + d.z)));
-    const double turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x));
-    const int sector = std::min(sectors - 1, static_cast<int>(sectors * (0.5 + turn / (2 * pi))));
-    const auto bin = static_cast<std::size_t>(band * sectors + sector);
-    inverse_[bin] += 1 / density;
-    squares_[bin] += 1 / (density * density);
-    ++count_;
-  }
+constexpr int bands = 6, sectors = 8;
 
-  // The mean of 1 / density over a bin's indicator is the bin's solid angle.
-  void expect_solid_angles() const {
-    const double n = count_, solid_angle = 4 * pi / (bands * sectors);
-    for (std::size_t bin = 0; bin < inverse_.size(); ++bin) {
-      const double mean = inverse_[bin] / n;
-      const double error = std::sqrt((squares_[bin] / n - mean * mean) / n);
-      EXPECT_NEAR(mean, solid_angle, sidak_bound(inverse_.size()) * error) << bin;
-    }
-  }
-
- private:
-  static constexpr int bands = 6, sectors = 8;
-  std::vector<double> inverse_ = std::vector<double>(bands * sectors);
-  std::vector<double> squares_ = std::vector<double>(bands * sectors);
-  int count_ = 0;
-};
+// Which of the sphere's parts a direction is in.
+std::size_t part_of(const Vec3f& d) {
+  const int band = std::min(bands - 1, static_cast<int>(bands * 0.5F * (1 + d.z)));
+  const double turn = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x));
+  const int sector = std::min(sectors - 1, static_cast<int>(sectors * (0.5 + turn / (2 * pi))));
+  return static_cast<std::size_t>(band * sectors + sector);
+}
 
 Scene scene_of_moving_sky(const Vec3& beta) {
   Scene scene;
@@ -205,8 +186,9 @@ TEST_P(MovingSky, DensitiesAreThoseOfTheSurfacesFrame) {
   TemporalEvaluator evaluator(scene.functions);
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<float> number(0, 1);
-  SphereBins bins;
-  for (int packet = 0; packet < 20'000; ++packet) {
+  constexpr int packets = 20'000, parts = bands * sectors;
+  SolidAngles angles(parts);
+  for (int p = 0; p < packets; ++p) {
     Lanes<float> u, v;
     for (int i = 0; i < packet_size; ++i) {
       u[i] = number(generator);
@@ -217,10 +199,10 @@ TEST_P(MovingSky, DensitiesAreThoseOfTheSurfacesFrame) {
     incident_from_sky(skies[0], event, lit, {1, false}, u, v, evaluator, incident, density);
     for (int i = 0; i < packet_size; ++i) {
       ASSERT_NE(incident.active[i], 0);
-      bins.add(incident.direction.at(i), density[i]);
+      angles.add(part_of(incident.direction.at(i)), density[i]);
     }
   }
-  bins.expect_solid_angles();
+  angles.expect_equal(packets * packet_size, sidak_bound(parts));
 }
 
 INSTANTIATE_TEST_SUITE_P(At, MovingSky, ::testing::Values(0.0, 0.5, 0.9));

@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "support/expect_near.h"
+
 namespace restframe {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr float inf = std::numeric_limits<float>::infinity();
 
 Development filmic(float gain = 1) {
   return {gain, ViewTransform::filmic};
-}
-
-void expect_near(const Vec3f& a, const Vec3f& b, float tolerance) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << i;
 }
 
 TEST(ViewTransform, PlainLightIsLeftAsItIs) {

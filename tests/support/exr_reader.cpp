@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <sstream>
 #include <stdexcept>
 
 namespace restframe {
@@ -155,6 +156,13 @@ std::vector<ExrPicture> read_exr_parts(const std::filesystem::path& path) {
   } catch (const std::exception& error) {
     throw std::runtime_error(path.string() + ": " + error.what());
   }
+}
+
+std::pair<double, double> time_origins(const ExrPicture& picture) {
+  std::istringstream text(picture.attributes.at("timeOrigin"));
+  double proper = 0, world = 0;
+  text >> proper >> world;
+  return {proper, world};
 }
 
 }  // namespace restframe

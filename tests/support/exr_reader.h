@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace restframe {
@@ -21,6 +22,9 @@ struct ExrPicture {
   const std::vector<float>& channel(const std::string& name) const;
   float at(const std::string& name, int x, int y) const;
 };
+
+// What must be added to the proper and to the world times.
+std::pair<double, double> time_origins(const ExrPicture& picture);
 
 // Half and integer channels are converted. Throws std::runtime_error if the file cannot be read,
 // lacks parts of the picture, or has several parts.

@@ -18,12 +18,6 @@ inline std::string camera_at(const Vec3& position, double fov, const std::string
   return camera_text(camera, render_keys);
 }
 
-inline std::string placed(const std::string& asset, const std::string& material,
-                          const std::string& more = "") {
-  return fmt::format("[[object]]\nname = \"{0}\"\nasset = \"{0}.obj\"\nmaterial = \"{1}\"\n{2}\n",
-                     asset, material, more);
-}
-
 inline std::string material(const std::string& name, const std::string& keys) {
   return fmt::format("[[material]]\nname = \"{}\"\n{}\n", name, keys);
 }

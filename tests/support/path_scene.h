@@ -25,6 +25,13 @@ inline std::string toml(const Vec3& v) {
   return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x, v.y, v.z);
 }
 
+// The object of NAME.obj.
+inline std::string placed(const std::string& asset, const std::string& material,
+                          const std::string& more = "") {
+  return fmt::format("[[object]]\nname = \"{0}\"\nasset = \"{0}.obj\"\nmaterial = \"{1}\"\n{2}\n",
+                     asset, material, more);
+}
+
 // An OBJ of polygons, their corners counter-clockwise as seen from the front.
 inline std::string polygons_obj(const std::vector<Vec3>& corners,
                                 const std::vector<std::vector<int>>& faces) {

@@ -11,6 +11,14 @@ class Panel:
     bl_label = "restframe"
     bl_options = {"DEFAULT_CLOSED"}
 
+    @classmethod
+    def poll(cls, context):
+        return cls.owner(context) is not None
+
+    @classmethod
+    def owner(cls, context):
+        return getattr(context, cls.bl_context_owner)
+
     def draw(self, context):
         owner = self.owner(context)
         layout = self.layout
@@ -39,10 +47,7 @@ class OBJECT_PT_restframe(Panel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return context.object is not None and context.object.type != "CAMERA"
-
-    def owner(self, context):
-        return context.object
+        return super().poll(context) and context.object.type != "CAMERA"
 
     def draw_settings(self, layout, settings):
         layout.prop(settings, "kind")
@@ -62,13 +67,6 @@ class DATA_PT_restframe_camera(Panel, bpy.types.Panel):
     bl_context = "data"
     bl_context_owner = "camera"
 
-    @classmethod
-    def poll(cls, context):
-        return context.camera is not None
-
-    def owner(self, context):
-        return context.camera
-
     def draw_settings(self, layout, settings):
         draw_velocity(layout, settings)
         layout.prop(settings, "time")
@@ -77,13 +75,6 @@ class DATA_PT_restframe_camera(Panel, bpy.types.Panel):
 class MATERIAL_PT_restframe(Panel, bpy.types.Panel):
     bl_context = "material"
     bl_context_owner = "material"
-
-    @classmethod
-    def poll(cls, context):
-        return context.material is not None
-
-    def owner(self, context):
-        return context.material
 
     def draw_settings(self, layout, settings):
         self.draw_function(layout.box(), settings, "base_color", "Base Colour")
