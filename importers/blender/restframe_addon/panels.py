@@ -107,9 +107,6 @@ class SCENE_PT_restframe(Panel, bpy.types.Panel):
     bl_context = "scene"
     bl_context_owner = "scene"
 
-    def owner(self, context):
-        return context.scene
-
     def draw_settings(self, layout, settings):
         layout.prop(settings, "by_panel")
         if settings.by_panel:
