@@ -14,6 +14,7 @@
 #include "film/png_preview.h"
 #include "importers/importers.h"
 #include "support/exr_reader.h"
+#include "support/program_errors.h"
 #include "support/scene_folder.h"
 
 namespace restframe {
@@ -199,10 +200,7 @@ TEST_F(ContactSheetOfAScene, IsTheSameForAResumedAnimation) {
 
 TEST_F(ContactSheetOfAScene, WhatCanNotBeMadeIsSaid) {
   const auto fails = [&](const std::vector<std::string>& options, int code, const char* part) {
-    const RunResult result = render(options);
-    EXPECT_EQ(result.exit_code, code);
-    EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-    EXPECT_THAT(result.error, HasSubstr(part));
+    expect_error(render(options), code, {part});
   };
   fails({"--contact-sheet", "sheet.jpg"}, 2, "must end in .png");
   fails(

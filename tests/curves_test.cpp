@@ -11,7 +11,7 @@
 
 #include "physics/doppler.h"
 #include "support/file_bytes.h"
-#include "support/program.h"
+#include "support/program_errors.h"
 #include "support/temporary_folder.h"
 
 namespace restframe {
@@ -232,10 +232,8 @@ TEST_F(Curves, BadOptionsAreOneLine) {
       {"--max-bytes", "1"},
       {"--speeds", "0,.1,.2,.3,.4,.5,.6,.7,.8"}};
   for (const auto& [option, value] : bad) {
-    const RunResult result = curves({option + "=" + value});
-    EXPECT_EQ(result.exit_code, 2) << option << " " << value;
-    EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-    EXPECT_THAT(result.error, HasSubstr(option));
+    SCOPED_TRACE(option + " " + value);
+    expect_error(curves({option + "=" + value}), 2, {option});
   }
   EXPECT_FALSE(fs::exists(path("out")));
 }

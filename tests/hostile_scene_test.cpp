@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "support/hostile.h"
+#include "support/program_errors.h"
 
 namespace restframe {
 namespace {
@@ -156,10 +157,7 @@ TEST_F(HostileScene, OptionsInPlaceOfTheScene) {
       {"--pictures", "1-0"}, {"--threads", "-2"}, {"--sampels", "1"}, {"--samples", "nan"}};
   for (const auto& options : bad) {
     SCOPED_TRACE(options[0] + " " + options[1]);
-    const RunResult result = run({"render", "s.toml", options[0] + "=" + options[1]});
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
-    EXPECT_THAT(result.error, ::testing::StartsWith("error: "));
+    expect_error(run({"render", "s.toml", options[0] + "=" + options[1]}), 2, {});
   }
 }
 
@@ -169,9 +167,7 @@ TEST_F(HostileScene, PlacesThatCannotBeWritten) {
     SCOPED_TRACE(place);
     const RunResult result =
         run({"render", "s.toml", "--quiet", "--size", "8x8", "--samples", "1", "--output", place});
-    EXPECT_EQ(result.exit_code, 3) << result.error;
-    EXPECT_THAT(result.error, ::testing::StartsWith("error: "));
-    EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+    expect_error(result, 3, {});
   }
 }
 
