@@ -79,7 +79,7 @@ ChannelValues channels_of_surface() {
   };
 }
 
-// A colour of its own for each.
+// A colour of its own for each part.
 void set_parts(Picture& picture, int x, int y) {
   std::vector<Vec3f> parts;
   for (const int column : picture.part_columns()) {
