@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "support/sphere_scene.h"
 
 namespace restframe {

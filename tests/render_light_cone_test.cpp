@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "support/sphere_scene.h"
 
 namespace restframe {
