@@ -84,6 +84,16 @@ void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
   for (const RestFrame& frame : frames_) frame.find_blocked(rays, s_max, blocked);
 }
 
+// All misses are under way before the first is waited for: of the second round as of the first.
+void FrameSet::prefetch(const Lanes<std::int32_t>& active, const HitPacket& hits) const {
+  for (int i = 0; i < packet_size; ++i) {
+    if (active[i] != 0) frame(hits.frame[i]).part(hits.part[i]).prefetch(hits.triangle[i]);
+  }
+  for (int i = 0; i < packet_size; ++i) {
+    if (active[i] != 0) frame(hits.frame[i]).part(hits.part[i]).prefetch_corner(hits.triangle[i]);
+  }
+}
+
 void FrameSet::locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,
                       HitEvents& events) const {
   Lanes<std::int32_t> waiting;

@@ -37,6 +37,17 @@ struct FramePart {
   std::span<const Vec3f> positions;  // what Embree sees: baked or the mesh's local ones
   std::span<const Triangle> triangles;
   std::span<const CornerNormals> corner_normals;  // mesh coordinates; empty: the facets' own
+
+  void prefetch(std::uint32_t triangle) const {
+    __builtin_prefetch(&triangles[triangle]);
+    if (corner_normals.empty()) return;
+    __builtin_prefetch(&corner_normals[triangle].front());
+    __builtin_prefetch(&corner_normals[triangle].back());
+  }
+  // Where the triangle itself is there.
+  void prefetch_corner(std::uint32_t triangle) const {
+    __builtin_prefetch(&positions[triangles[triangle][0]]);
+  }
 };
 
 // A packet in the traversal coordinates of one rest frame.
@@ -87,11 +98,6 @@ class RestFrame {
 
   // The event of a refined hit.
   Event<in::World> hit_event(const HitPacket& hits, int lane) const;
-
-  // From which s on a ray that leaves a refined hit is clear of the surface. event: the hit's. x: the
-  // spatial part of the ray's wave vector or step, rest-frame axes.
-  double s_clear(const HitPacket& hits, int lane, const Event<in::World>& event,
-                 const Vec3& x) const;
 
   const FramePart& part(std::uint32_t index) const { return parts_[index]; }
   std::span<const FramePart> parts() const { return parts_; }

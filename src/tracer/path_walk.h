@@ -188,7 +188,7 @@ class PathWalk {
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
   void scatter_on();
-  void follow(int lane, const ScatteredLanes& scattered);
+  bool follow(int lane, const ScatteredLanes& scattered);
   bool survives(int lane);
   // The path goes on with this fraction of its light, a colour at the surface or in the medium that
   // it is at.
@@ -205,7 +205,11 @@ class PathWalk {
     if (parts_.are_wanted()) parts_.receive(lane, group, left);
   }
   void widen_cone(int lane, float density);
-  void depart(int lane, const Vec3f& direction);
+  void depart(const ScatteredLanes& scattered);
+  void depart_within(int lane, const Vec3& x, double s_min);
+  Boost<in::World, in::Rest> world_from_rest(int lane) const {
+    return stage_.frames.frame(hits_.frame[lane]).coordinates().from_world.inverse();
+  }
 
   void choose_wavelengths(const PacketId& id);
   glm::mat3 color_from_lanes(float hero) const;
