@@ -15,7 +15,7 @@ constexpr int sure_scatterings = 3;     // before paths may end by chance
 constexpr float widest_spread = 0.25F;  // radians
 
 float largest(const Vec3f& v) {
-  return std::max({v.x, v.y, v.z});
+  return std::max(std::max(v.x, v.y), v.z);
 }
 
 }  // namespace
@@ -57,45 +57,79 @@ void PathWalk::scatter_on() {
     going[i] = paths_.scatterings[i] < depth ? vertices_.active[i] : 0;
   }
   if (!any_active(going)) return;
-  const Vec3fLanes numbers{random_.lanes(Dimension::lobe, round_),
-                           random_.lanes(Dimension::direction_u, round_),
-                           random_.lanes(Dimension::direction_v, round_)};
   ScatteredLanes scattered;
-  scatter(vertices_.bsdf, vertices_.lobes, going, numbers, scattered);
-  Lanes<std::int32_t>& departing = scattered.active;
-  for (int lane = 0; lane < packet_size; ++lane) {
-    if (departing[lane] != 0 && !follow(lane, scattered)) departing[lane] = 0;
+  scatter(vertices_.bsdf, vertices_.lobes, going, scattering_numbers(), scattered);
+  for (int lane = 0; parts_.are_wanted() && lane < packet_size; ++lane) {
+    if (scattered.active[lane] != 0) note_scattering(lane, scattered);
   }
-  if (any_active(departing)) depart(scattered);
+  weigh(scattered);
+  end_by_chance(scattered.active);
+  set_chosen(scattered);
+  for (int lane = 0; stage_.has_media && lane < packet_size; ++lane) {
+    const bool through = scattered.active[lane] != 0 && scattered.through[lane] != 0;
+    if (through && !change_sides(lane)) scattered.active[lane] = 0;
+  }
+  for (int lane = 0; stage_.tables.has_textures() && lane < packet_size; ++lane) {
+    if (scattered.active[lane] != 0) widen_cone(lane, scattered.density[lane]);
+  }
+  if (any_active(scattered.active)) depart(scattered);
 }
 
-// False: the path ends.
-bool PathWalk::follow(int lane, const ScatteredLanes& scattered) {
-  if (parts_.are_wanted()) note_scattering(lane, scattered);
-  weigh(lane, scattered.weight.at(lane));
-  if (!survives(lane)) return false;
-  const bool through = scattered.through[lane] != 0;
-  set_chosen(lane, in_medium(lane) || through ? 0.0F : scattered.density[lane]);
-  if (through && surfaces_.back[lane] != 0) {
-    media_[lane].leave(surfaces_.object[lane], surfaces_.material[lane]);
-  } else if (through) {
-    if (media_[lane].full()) return false;
-    media_[lane].enter(medium_of(lane, met_surface(lane), clock_[lane]));
+Vec3fLanes PathWalk::scattering_numbers() {
+  Vec3fLanes numbers;
+  if (!vertices_.bsdf.matte) numbers.x = random_.lanes(Dimension::lobe, round_);
+  numbers.z = random_.lanes(Dimension::direction_v, round_);
+  numbers.y = random_.lanes(Dimension::direction_u, round_);
+  return numbers;
+}
+
+void PathWalk::weigh(const ScatteredLanes& scattered) {
+  if (stage_.spectra.shifts) {
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (scattered.active[lane] != 0) weigh(lane, scattered.weight.at(lane));
+    }
+    return;
   }
-  if (stage_.tables.has_textures()) widen_cone(lane, scattered.density[lane]);
-  return true;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const Vec3f left = paths_.throughput.at(i) * scattered.weight.at(i);
+    set_in(scattered.active, i, paths_.throughput, left);
+  }
 }
 
 // Russian roulette: paths that hardly matter any more end by chance, the others stand for them.
-bool PathWalk::survives(int lane) {
-  const Vec3f throughput = paths_.throughput.at(lane);
-  const float weight = follows_lines() ? history_.most_left(lane) : largest(throughput);
-  if (!(weight > 0.0F)) return false;
-  if (paths_.scatterings[lane] <= sure_scatterings) return true;
-  const float chance = std::min(1.0F, weight);
-  paths_.throughput.set(lane, throughput / chance);
-  if (follows_lines()) history_.scale(lane, 1.0F / chance);
-  return random(lane, Dimension::survival) < chance;
+void PathWalk::end_by_chance(Lanes<std::int32_t>& going) {
+  Lanes<float> weight;
+  Lanes<std::int32_t> at_risk;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) weight[i] = largest(paths_.throughput.at(i));
+  for (int i = 0; follows_lines() && i < packet_size; ++i) weight[i] = history_.most_left(i);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    going[i] = weight[i] > 0.0F ? going[i] : 0;
+    at_risk[i] = paths_.scatterings[i] > sure_scatterings ? going[i] : 0;
+  }
+  if (!any_active(at_risk)) return;
+  const Lanes<float>& luck = random_.lanes(Dimension::survival, round_);
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (at_risk[lane] == 0) continue;
+    const float chance = std::min(1.0F, weight[lane]);
+    paths_.throughput.set(lane, paths_.throughput.at(lane) / chance);
+    if (follows_lines()) history_.scale(lane, 1.0F / chance);
+    if (!(luck[lane] < chance)) going[lane] = 0;
+  }
+}
+
+// False: the path ends.
+bool PathWalk::change_sides(int lane) {
+  MediumStack& media = media_[lane];
+  if (surfaces_.back[lane] != 0) {
+    media.leave(surfaces_.object[lane], surfaces_.material[lane]);
+    return true;
+  }
+  if (media.full()) return false;
+  media.enter(medium_of(lane, met_surface(lane), clock_[lane]));
+  return true;
 }
 
 // The cone goes on as wide as it is here. Mirrors and clear glass spread it no further; a direction that
