@@ -86,11 +86,15 @@ void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
 
 // All misses are under way before the first is waited for: of the second round as of the first.
 void FrameSet::prefetch(const Lanes<std::int32_t>& active, const HitPacket& hits) const {
-  for (int i = 0; i < packet_size; ++i) {
-    if (active[i] != 0) frame(hits.frame[i]).part(hits.part[i]).prefetch(hits.triangle[i]);
+  const unsigned all = active_bits(active);
+  const auto part = [&](int i) { return &frame(hits.frame[i]).part(hits.part[i]); };
+  for (unsigned bits = all; bits != 0; bits &= bits - 1) {
+    const int i = std::countr_zero(bits);
+    part(i)->prefetch(hits.triangle[i]);
   }
-  for (int i = 0; i < packet_size; ++i) {
-    if (active[i] != 0) frame(hits.frame[i]).part(hits.part[i]).prefetch_corner(hits.triangle[i]);
+  for (unsigned bits = all; bits != 0; bits &= bits - 1) {
+    const int i = std::countr_zero(bits);
+    part(i)->prefetch_corner(hits.triangle[i]);
   }
 }
 

@@ -4,9 +4,11 @@
 #include "tracer/surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 
+#include "frames/lane_groups.h"
 #include "physics/clones.h"
 
 namespace restframe {
@@ -22,22 +24,6 @@ Placed placed(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
   const FramePart& part = frames.frame(hits.frame[lane]).part(hits.part[lane]);
   return {part, scene.meshes[static_cast<std::size_t>(part.mesh)],
           scene.objects[static_cast<std::size_t>(part.object)]};
-}
-
-// Which of the waiting lanes hit the same part as lane `first`; they no longer wait.
-Lanes<std::int32_t> take_group(const HitPacket& hits, int first, Lanes<std::int32_t>& waiting) {
-  const std::int32_t frame = hits.frame[first];
-  const std::uint32_t part = hits.part[first];
-  Lanes<std::int32_t> group;
-#pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) {
-    const std::uint32_t own_part = hits.part[i];
-    const std::int32_t waits = waiting[i];
-    const bool same = (hits.frame[i] == frame) & (own_part == part);
-    group[i] = same ? waits : 0;
-    waiting[i] = same ? 0 : waits;
-  }
-  return group;
 }
 
 // Lanes outside the group repeat its first one's, which is safe to read.
@@ -165,9 +151,12 @@ RESTFRAME_CLONES void surfaces_at(const Scene& scene, const FrameSet& frames, co
   Lanes<std::int32_t> waiting;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) waiting[i] = hits.frame[i] >= 0 ? active[i] : 0;
-  for (int first = 0; any_active(waiting); ++first) {
-    if (waiting[first] == 0) continue;
-    const Lanes<std::int32_t> group = take_group(hits, first, waiting);
+  while (const unsigned bits = active_bits(waiting)) {
+    const int first = std::countr_zero(bits);
+    Lanes<std::int32_t> of_frame = take_group(hits.frame, first, waiting);
+    const Lanes<std::int32_t> group = take_group(hits.part, first, of_frame);
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) waiting[i] |= of_frame[i];
     shade_group(placed(scene, frames, hits, first), hits, first, group, surfaces);
   }
 }
