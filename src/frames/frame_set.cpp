@@ -84,17 +84,10 @@ void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
   for (const RestFrame& frame : frames_) frame.find_blocked(rays, s_max, blocked);
 }
 
-// All misses are under way before the first is waited for: of the second round as of the first.
 void FrameSet::prefetch(const Lanes<std::int32_t>& active, const HitPacket& hits) const {
-  const unsigned all = active_bits(active);
-  const auto part = [&](int i) { return &frame(hits.frame[i]).part(hits.part[i]); };
-  for (unsigned bits = all; bits != 0; bits &= bits - 1) {
+  for (unsigned bits = active_bits(active); bits != 0; bits &= bits - 1) {
     const int i = std::countr_zero(bits);
-    part(i)->prefetch(hits.triangle[i]);
-  }
-  for (unsigned bits = all; bits != 0; bits &= bits - 1) {
-    const int i = std::countr_zero(bits);
-    part(i)->prefetch_corner(hits.triangle[i]);
+    frame(hits.frame[i]).part(hits.part[i]).prefetch(hits.triangle[i]);
   }
 }
 

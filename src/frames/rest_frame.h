@@ -36,17 +36,13 @@ struct FramePart {
   std::vector<Vec3f> baked;          // of a mesh placed once, in a frame that holds others too
   std::span<const Vec3f> positions;  // what Embree sees: baked or the mesh's local ones
   std::span<const Triangle> triangles;
-  std::span<const CornerNormals> corner_normals;  // mesh coordinates; empty: the facets' own
+  std::span<const MetTriangle> met_triangles;  // mesh coordinates; empty: normals are the facets'
 
+  // Where they are traversed as they are.
+  bool has_corners() const { return !met_triangles.empty() && baked.empty(); }
   void prefetch(std::uint32_t triangle) const {
-    __builtin_prefetch(&triangles[triangle]);
-    if (corner_normals.empty()) return;
-    __builtin_prefetch(&corner_normals[triangle].front());
-    __builtin_prefetch(&corner_normals[triangle].back());
-  }
-  // Where the triangle itself is there.
-  void prefetch_corner(std::uint32_t triangle) const {
-    __builtin_prefetch(&positions[triangles[triangle][0]]);
+    if (!met_triangles.empty()) __builtin_prefetch(&met_triangles[triangle]);
+    if (!has_corners()) __builtin_prefetch(&triangles[triangle]);
   }
 };
 

@@ -27,7 +27,7 @@ Placed placed(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
 }
 
 // Lanes outside the group repeat its first one's, which is safe to read.
-void gather_normals(std::span<const CornerNormals> normals, const HitPacket& hits, int first,
+void gather_normals(std::span<const MetTriangle> met, const HitPacket& hits, int first,
                     const Lanes<std::int32_t>& group, CornerNormalLanes& corners) {
   Lanes<std::uint32_t> triangle;
   const std::uint32_t first_triangle = hits.triangle[first];
@@ -37,7 +37,7 @@ void gather_normals(std::span<const CornerNormals> normals, const HitPacket& hit
     triangle[i] = group[i] != 0 ? own : first_triangle;
   }
   for (int i = 0; i < packet_size; ++i) {
-    const CornerNormals& n = normals[triangle[i]];
+    const CornerNormals& n = met[triangle[i]].normals;
     for (std::size_t word = 0; word < n.size(); ++word) corners[word][i] = n[word];
   }
 }
@@ -128,11 +128,11 @@ void shade_group(const Placed& placed, const HitPacket& hits, int first,
                  const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
   Vec3fLanes facet;
   to_rest(placed.part.rest_from_facet_normal, hits.facet_normal, facet);
-  if (placed.part.corner_normals.empty()) {
+  if (placed.part.met_triangles.empty()) {
     orient(facet, facet, hits.sight, group, surfaces);
   } else {
     CornerNormalLanes corners;
-    gather_normals(placed.part.corner_normals, hits, first, group, corners);
+    gather_normals(placed.part.met_triangles, hits, first, group, corners);
     Vec3fLanes local, normal;
     interpolate(corners, hits, local);
     to_rest(placed.part.rest_from_mesh_normal, local, normal);
