@@ -26,6 +26,17 @@ Placed placed(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
           scene.objects[static_cast<std::size_t>(part.object)]};
 }
 
+// Which of the waiting lanes hit the same part as lane `first`; they no longer wait.
+Lanes<std::int32_t> take_part(const HitPacket& hits, bool one_frame, int first,
+                              Lanes<std::int32_t>& waiting) {
+  if (one_frame) return take_group(hits.part, first, waiting);
+  Lanes<std::int32_t> of_frame = take_group(hits.frame, first, waiting);
+  const Lanes<std::int32_t> group = take_group(hits.part, first, of_frame);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) waiting[i] |= of_frame[i];
+  return group;
+}
+
 // Lanes outside the group repeat its first one's, which is safe to read.
 void gather_normals(std::span<const MetTriangle> met, const HitPacket& hits, int first,
                     const Lanes<std::int32_t>& group, CornerNormalLanes& corners) {
@@ -148,15 +159,13 @@ void shade_group(const Placed& placed, const HitPacket& hits, int first,
 RESTFRAME_CLONES void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
                                   const Lanes<std::int32_t>& active, SurfaceLanes& surfaces) {
   surfaces.colored = false;
+  const bool one_frame = frames.frames().size() == 1;
   Lanes<std::int32_t> waiting;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) waiting[i] = hits.frame[i] >= 0 ? active[i] : 0;
   while (const unsigned bits = active_bits(waiting)) {
     const int first = std::countr_zero(bits);
-    Lanes<std::int32_t> of_frame = take_group(hits.frame, first, waiting);
-    const Lanes<std::int32_t> group = take_group(hits.part, first, of_frame);
-#pragma GCC ivdep
-    for (int i = 0; i < packet_size; ++i) waiting[i] |= of_frame[i];
+    const Lanes<std::int32_t> group = take_part(hits, one_frame, first, waiting);
     shade_group(placed(scene, frames, hits, first), hits, first, group, surfaces);
   }
 }
