@@ -114,6 +114,7 @@ void FrameSet::locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacke
 void FrameSet::find_clear(const HitPacket& hits, const HitEvents& from, const Vec3fLanes& direction,
                           const Lanes<double>& omega, const Lanes<std::int32_t>& active,
                           Lanes<double>& s_clear) const {
+  if (frames_.size() == 1) return frames_[0].find_clear(from, direction, omega, active, s_clear);
   for_each_group(hits.frame, active, [&](int first, const Lanes<std::int32_t>& group) {
     frame(hits.frame[first]).find_clear(from, direction, omega, group, s_clear);
   });
