@@ -22,9 +22,8 @@ inline void set_in(const Lanes<std::int32_t>& group, int i, Vec3Lanes& lanes, co
   set_in(group, i, lanes.z, v.z);
 }
 
-// Not unrolled, since GCC would unroll what is within other loops before it makes vectors of it.
-
-// A bit for each lane that is active, the lowest for lane 0.
+// A bit for each lane that is active, the lowest for lane 0. (Short loops within others are unrolled
+// by GCC before it would make vectors of them, unless it is told not to.)
 inline unsigned active_bits(const Lanes<std::int32_t>& active) {
   unsigned bits = 0;
 #pragma GCC ivdep
