@@ -144,44 +144,83 @@ TEST(Density, LeavesOutWhatIsExact) {
   EXPECT_NEAR(exact, (1 - static_cast<double>(diffuses)) * kSamples, kSurest * std::sqrt(kSamples));
 }
 
-// Packets and single surfaces are the same, layered or not.
+enum class Kinds { plain, layered, matte };
+
+// 16 surfaces, and the same in a packet.
+struct Surfaces {
+  std::vector<Bsdf> each;
+  BsdfLanes lanes;
+
+  explicit Surfaces(Kinds of) {
+    const auto kinds = all_kinds();
+    for (int i = 0; i < packet_size; ++i) {
+      const std::size_t kind =
+          static_cast<std::size_t>(i) % (of == Kinds::plain ? 6 : kinds.size());
+      add(i, kinds[kind].seen_at(0.2 + 0.08 * i, 0.3 + 0.04 * i), of);
+    }
+  }
+
+ private:
+  void add(int i, Bsdf b, Kinds of) {
+    if (of == Kinds::matte) {
+      b.metallic = b.specular = 0;
+      b.layers = {};
+      lanes.matte = true;
+    }
+    lanes.view.set(i, b.view);
+    lanes.normal.set(i, b.normal);
+    lanes.facet.set(i, b.facet);
+    lanes.base.set(i, b.base);
+    lanes.specular_color.set(i, b.specular_color);
+    lanes.specular[i] = b.specular;
+    lanes.metallic[i] = b.metallic;
+    lanes.alpha[i] = b.alpha;
+    lanes.eta[i] = b.eta;
+    if (of == Kinds::layered) lanes.set_layers(i, b.layers);
+    each.push_back(b);
+  }
+};
+
+// Packets and single surfaces are the same, whatever they have in common.
 TEST(Density, OfPacketsIsThatOfEach) {
-  const auto kinds = all_kinds();
-  for (const bool layered : {false, true}) {
-    BsdfLanes lanes;
+  for (const Kinds kinds : {Kinds::plain, Kinds::layered, Kinds::matte}) {
+    const Surfaces surfaces(kinds);
     Vec3fLanes numbers;
     Lanes<std::int32_t> active;
-    std::vector<Bsdf> each;
     for (int i = 0; i < packet_size; ++i) {
-      const std::size_t kind = static_cast<std::size_t>(i) % (layered ? kinds.size() : 6);
-      each.push_back(kinds[kind].seen_at(0.2 + 0.08 * i, 0.3 + 0.04 * i));
-      const Bsdf& b = each.back();
-      lanes.view.set(i, b.view);
-      lanes.normal.set(i, b.normal);
-      lanes.facet.set(i, b.facet);
-      lanes.base.set(i, b.base);
-      lanes.specular_color.set(i, b.specular_color);
-      lanes.specular[i] = b.specular;
-      lanes.metallic[i] = b.metallic;
-      lanes.alpha[i] = b.alpha;
-      lanes.eta[i] = b.eta;
-      if (layered) lanes.set_layers(i, b.layers);
       numbers.set(i, Vec3f(0.06F * static_cast<float>(i), 0.4F, 0.3F));
       active[i] = i == 5 ? 0 : -1;
     }
     ViewLobeLanes lobes;
-    view_lobes(lanes, lobes);
+    view_lobes(surfaces.lanes, lobes);
     ScatteredLanes scattered;
-    scatter(lanes, lobes, active, numbers, scattered);
+    scatter(surfaces.lanes, lobes, active, numbers, scattered);
     for (int i = 0; i < packet_size; ++i) {
       const Vec3f n = numbers.at(i);
-      const auto way = scatter(each[static_cast<std::size_t>(i)], n.x, n.y, n.z);
+      const auto way = scatter(surfaces.each[static_cast<std::size_t>(i)], n.x, n.y, n.z);
       ASSERT_EQ(scattered.active[i] != 0, way && i != 5) << i;
       if (i == 5 || !way) continue;
       EXPECT_EQ(scattered.direction.at(i), way->direction) << i;
       EXPECT_LT(glm::length(scattered.weight.at(i) - way->weight), 1e-5F) << i;
       EXPECT_NEAR(scattered.density[i], way->density, 1e-5F * way->density) << i;
       EXPECT_EQ(scattered.through[i] != 0, way->through) << i;
+    }
+  }
+}
+
+TEST(Density, OfMattePacketsIsThatOfEachForLightsToo) {
+  const Surfaces surfaces(Kinds::matte);
+  ViewLobeLanes lobes;
+  view_lobes(surfaces.lanes, lobes);
+  for (const Vec3f towards : {Vec3f(0.48F, -0.6F, 0.64F), Vec3f(0.6F, 0, -0.8F)}) {
+    Vec3fLanes direction, fraction;
+    Lanes<float> density;
+    for (int i = 0; i < packet_size; ++i) direction.set(i, towards);
+    scattered_fraction(surfaces.lanes, lobes, direction, fraction, density);
+    for (int i = 0; i < packet_size; ++i) {
+      const Bsdf& b = surfaces.each[static_cast<std::size_t>(i)];
+      EXPECT_LT(glm::length(fraction.at(i) - scattered_fraction(b, towards)), 1e-6F) << i;
+      EXPECT_FLOAT_EQ(density[i], scattering_density(b, towards)) << i;
     }
   }
 }

@@ -129,6 +129,23 @@ TEST(Random, NoTwoCountersGiveTheSameStream) {
   EXPECT_EQ(streams.size(), count);
 }
 
+// In whatever order a set's numbers are asked for.
+TEST(Random, OfPacketsIsThatOfEachLane) {
+  PacketId id = packet(4);
+  for (int i = 0; i < packet_size; ++i) id.pixel[i] = static_cast<std::uint32_t>(1000 * i + 7);
+  const auto count = static_cast<std::uint32_t>(Dimension::count);
+  PacketRandom upwards(id), downwards(id);
+  for (std::uint32_t index = 0; index < 2; ++index) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto up = static_cast<Dimension>(i), down = static_cast<Dimension>(count - 1 - i);
+      for (int lane = 0; lane < packet_size; lane += 5) {
+        EXPECT_EQ(upwards(lane, up, index), random_unit(id, lane, up, index));
+        EXPECT_EQ(downwards(lane, down, index), random_unit(id, lane, down, index));
+      }
+    }
+  }
+}
+
 TEST(Random, DependsOnWhichPixelNotOnWhichLane) {
   PacketId id = packet(4);
   id.pixel[0] = id.pixel[7] = 12345;

@@ -24,8 +24,8 @@ CornerNormals packed(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
 
 }  // namespace
 
-AlignedVector<CornerNormals> corner_normals(const Mesh& mesh) {
-  AlignedVector<CornerNormals> result;
+AlignedVector<MetTriangle> met_triangles(const Mesh& mesh, std::span<const Vec3f> positions) {
+  AlignedVector<MetTriangle> result;
   if (mesh.normals.empty()) return result;
   result.resize(mesh.triangles.size());
   constexpr std::size_t at_once = 65536;
@@ -33,7 +33,8 @@ AlignedVector<CornerNormals> corner_normals(const Mesh& mesh) {
     const std::size_t end = std::min(result.size(), (part + 1) * at_once);
     for (std::size_t i = part * at_once; i < end; ++i) {
       const Triangle& t = mesh.triangles[i];
-      result[i] = packed(mesh.normals[t[0]], mesh.normals[t[1]], mesh.normals[t[2]]);
+      result[i] = {positions[t[0]],
+                   packed(mesh.normals[t[0]], mesh.normals[t[1]], mesh.normals[t[2]])};
     }
   });
   return result;

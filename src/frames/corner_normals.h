@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "frames/packet.h"
 #include "scene/aligned_vector.h"
@@ -9,13 +10,19 @@
 
 namespace restframe {
 
-// The shading normals at a triangle's corners, side by side in 20 bytes: a hit touches one cache
-// line, or two, where going by the vertices' indices would touch four. Nine 16-bit numbers, corner by
+// The shading normals at a triangle's corners, side by side in 20 bytes: nine 16-bit numbers, corner by
 // corner x, y and z in units of 1/32767: 3e-5 radians off at most. The last half word is 0.
 using CornerNormals = std::array<std::uint32_t, 5>;
 
-// One a triangle; none if the mesh has no normals.
-AlignedVector<CornerNormals> corner_normals(const Mesh& mesh);
+// What paths ask for of a triangle that they have met: a hit touches one cache line, where going by the
+// vertices' indices would touch six.
+struct alignas(32) MetTriangle {
+  Vec3f corner;  // the first one
+  CornerNormals normals;
+};
+
+// One a triangle; none if the mesh has no normals. positions: of the mesh's vertices.
+AlignedVector<MetTriangle> met_triangles(const Mesh& mesh, std::span<const Vec3f> positions);
 
 // The normals of 16 triangles, word by word.
 using CornerNormalLanes = std::array<Lanes<std::uint32_t>, 5>;

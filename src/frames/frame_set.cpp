@@ -84,6 +84,13 @@ void FrameSet::find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
   for (const RestFrame& frame : frames_) frame.find_blocked(rays, s_max, blocked);
 }
 
+void FrameSet::prefetch(const Lanes<std::int32_t>& active, const HitPacket& hits) const {
+  for (unsigned bits = active_bits(active); bits != 0; bits &= bits - 1) {
+    const int i = std::countr_zero(bits);
+    frame(hits.frame[i]).part(hits.part[i]).prefetch(hits.triangle[i]);
+  }
+}
+
 void FrameSet::locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,
                       HitEvents& events) const {
   Lanes<std::int32_t> waiting;
@@ -107,6 +114,7 @@ void FrameSet::locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacke
 void FrameSet::find_clear(const HitPacket& hits, const HitEvents& from, const Vec3fLanes& direction,
                           const Lanes<double>& omega, const Lanes<std::int32_t>& active,
                           Lanes<double>& s_clear) const {
+  if (frames_.size() == 1) return frames_[0].find_clear(from, direction, omega, active, s_clear);
   for_each_group(hits.frame, active, [&](int first, const Lanes<std::int32_t>& group) {
     frame(hits.frame[first]).find_clear(from, direction, omega, group, s_clear);
   });

@@ -31,6 +31,9 @@ class FrameSet {
   void find_blocked(const RayPacket& rays, const Lanes<double>& s_max,
                     Lanes<std::int32_t>& blocked) const;
 
+  // Asks the memory for what the active lanes' hits will be shaded and located with.
+  void prefetch(const Lanes<std::int32_t>& active, const HitPacket& hits) const;
+
   // Gives the hits of the active lanes their s in double, and tells their events. by_clock: as exactly
   // as clocks and textures ask for, else as rays that leave the surfaces do.
   void locate(const Lanes<std::int32_t>& active, bool by_clock, HitPacket& hits,

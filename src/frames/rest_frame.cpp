@@ -105,7 +105,7 @@ RestFrame::RestFrame(const EmbreeDevice& device, const Scene& scene, std::span<c
       part.name = placed.name;
       part.mesh = placed.mesh;
       part.triangles = scene.meshes[static_cast<std::size_t>(placed.mesh)].triangles;
-      part.corner_normals = meshes[static_cast<std::size_t>(placed.mesh)].corner_normals;
+      part.met_triangles = meshes[static_cast<std::size_t>(placed.mesh)].met_triangles;
       part.rest_from_mesh = translation(origin_of(object)) * placed.object_from_mesh;
       part.rest_from_mesh_normal = normal_matrix(Mat3(part.rest_from_mesh));
       part.rest_from_facet_normal = part.rest_from_mesh_normal;

@@ -36,7 +36,14 @@ struct FramePart {
   std::vector<Vec3f> baked;          // of a mesh placed once, in a frame that holds others too
   std::span<const Vec3f> positions;  // what Embree sees: baked or the mesh's local ones
   std::span<const Triangle> triangles;
-  std::span<const CornerNormals> corner_normals;  // mesh coordinates; empty: the facets' own
+  std::span<const MetTriangle> met_triangles;  // mesh coordinates; empty: normals are the facets'
+
+  // Where they are traversed as they are.
+  bool has_corners() const { return !met_triangles.empty() && baked.empty(); }
+  void prefetch(std::uint32_t triangle) const {
+    if (!met_triangles.empty()) __builtin_prefetch(&met_triangles[triangle]);
+    if (!has_corners()) __builtin_prefetch(&triangles[triangle]);
+  }
 };
 
 // A packet in the traversal coordinates of one rest frame.
@@ -87,11 +94,6 @@ class RestFrame {
 
   // The event of a refined hit.
   Event<in::World> hit_event(const HitPacket& hits, int lane) const;
-
-  // From which s on a ray that leaves a refined hit is clear of the surface. event: the hit's. x: the
-  // spatial part of the ray's wave vector or step, rest-frame axes.
-  double s_clear(const HitPacket& hits, int lane, const Event<in::World>& event,
-                 const Vec3& x) const;
 
   const FramePart& part(std::uint32_t index) const { return parts_[index]; }
   std::span<const FramePart> parts() const { return parts_; }

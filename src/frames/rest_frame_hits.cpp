@@ -74,14 +74,4 @@ Event<in::World> RestFrame::hit_event(const HitPacket& hits, int lane) const {
       {hits.rest_t[lane] + hits.s[lane] * hits.rest_k_t[lane], rest_position(point)});
 }
 
-double RestFrame::s_clear(const HitPacket& hits, int lane, const Event<in::World>& event,
-                          const Vec3& x) const {
-  // What doubles lose on the way to the world and back.
-  const Displacement<in::World> from_anchor = event - coordinates_.anchor;
-  const double reach = std::abs(event.t) + glm::length(event.x) +
-                       coordinates_.from_world.velocity().gamma() *
-                           (std::abs(from_anchor.t) + glm::length(from_anchor.x));
-  return clearance(hits, lane, traversal_from_rest_linear_ * x) + 0x1p-50 * reach / glm::length(x);
-}
-
 }  // namespace restframe

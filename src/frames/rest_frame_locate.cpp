@@ -184,10 +184,12 @@ RESTFRAME_CLONES void RestFrame::locate_on_plane(HitPacket& hits, int first,
                                                  const Lanes<std::int32_t>& group,
                                                  HitEvents& events) const {
   const FramePart& part = parts_[hits.part[first]];
-  const Vec3f* positions = part.positions.data();
+  const bool at_hand = part.has_corners();
   Vec3fLanes corner;
   for (int i = 0; i < packet_size; ++i) {
-    corner.set(i, positions[part.triangles[hits.triangle[group[i] != 0 ? i : first]][0]]);
+    const std::uint32_t triangle = hits.triangle[group[i] != 0 ? i : first];
+    corner.set(i, at_hand ? part.met_triangles[triangle].corner
+                          : part.positions[part.triangles[triangle][0]]);
   }
   put_on_plane(corner, group, hits, events.float_noise);
   set_events(hits, group, events);

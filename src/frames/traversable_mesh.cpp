@@ -22,14 +22,16 @@ TraversableMesh traversable(const Mesh& mesh) {
   TraversableMesh result;
   result.mesh = &mesh;
   result.bounds = bounds_of(mesh);
-  result.corner_normals = corner_normals(mesh);
-  if (is_padded(mesh) && !is_far_from_origin(result.bounds)) return result;
-
+  if (is_padded(mesh) && !is_far_from_origin(result.bounds)) {
+    result.met_triangles = met_triangles(mesh, mesh.positions);
+    return result;
+  }
   result.offset = result.bounds.center();
   result.moved.reserve(mesh.positions.size() + 1);
   for (const Vec3f& p : mesh.positions) result.moved.emplace_back(Vec3(p) - result.offset);
   result.bounds.lower -= result.offset;
   result.bounds.upper -= result.offset;
+  result.met_triangles = met_triangles(mesh, result.moved);
   return result;
 }
 

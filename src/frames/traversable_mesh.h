@@ -15,10 +15,10 @@ namespace restframe {
 struct TraversableMesh {
   const Mesh* mesh = nullptr;
   Vec3 offset{0};
-  std::vector<Vec3f> moved;                     // empty where the mesh's own positions serve
-  EmbreeScene scene;                            // empty until build_scene()
-  Bounds bounds;                                // local
-  AlignedVector<CornerNormals> corner_normals;  // one a triangle; empty if the mesh has no normals
+  std::vector<Vec3f> moved;                  // empty where the mesh's own positions serve
+  EmbreeScene scene;                         // empty until build_scene()
+  Bounds bounds;                             // local
+  AlignedVector<MetTriangle> met_triangles;  // their corners local
 
   std::span<const Vec3f> positions() const { return moved.empty() ? mesh->positions : moved; }
 };

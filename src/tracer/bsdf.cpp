@@ -35,6 +35,26 @@ void choose_ways(const BsdfLanes& bsdf, const ViewLobeLanes& lobes, const Vec3fL
   }
 }
 
+// Their fraction over their density is the same in all directions but for rounding.
+void scatter_off_matte(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
+                       const Lanes<std::int32_t>& active, const Vec3fLanes& numbers,
+                       ScatteredLanes& scattered) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const Vec3f normal = bsdf.normal.at(i), facet = bsdf.facet.at(i);
+    const float diffuses = lobes.diffuses[i];
+    const Way way = matte_way(normal, facet, diffuses, numbers.y[i], numbers.z[i]);
+    const Fraction there =
+        matte_fraction(normal, facet, lobes.diffuse.at(i), diffuses, way.direction);
+    const bool goes = way.there & (there.density > 0.0F);
+    scattered.direction.set(i, way.direction);
+    scattered.weight.set(i, there.fraction / (goes ? there.density : 1.0F));
+    scattered.density[i] = there.density;
+    scattered.through[i] = 0;
+    scattered.active[i] = goes ? active[i] : 0;
+  }
+}
+
 }  // namespace
 
 std::optional<Vec3f> refracted(const Vec3f& view, const Vec3f& normal, float eta) {
@@ -59,6 +79,7 @@ std::optional<Scattered> scatter(const Bsdf& b, float lobe, float u, float v) {
 RESTFRAME_CLONES void scatter(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
                               const Lanes<std::int32_t>& active, const Vec3fLanes& numbers,
                               ScatteredLanes& scattered) {
+  if (bsdf.matte) return scatter_off_matte(bsdf, lobes, active, numbers, scattered);
   WayLanes ways;
   Vec3fLanes fraction;
   Lanes<float> density;

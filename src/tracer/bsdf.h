@@ -57,6 +57,7 @@ struct BsdfLayersLanes {
 struct BsdfLanes {
   Vec3fLanes view, normal, facet, base, specular_color;
   Lanes<float> specular, metallic, alpha, eta;
+  bool matte = false;      // none is metallic, specular or layered: all is diffuse
   bool layered = false;    // else `layers` mean nothing
   BsdfLayersLanes layers;  // of all lanes if of any
 

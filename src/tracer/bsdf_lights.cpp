@@ -18,6 +18,22 @@ void store(ViewLobeLanes& lobes, int i, const ViewLobe& lobe) {
   lobes.reflects[i] = lobe.reflects;
 }
 
+void matte_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) store(lobes, i, matte_view_lobe(bsdf.base.at(i)));
+}
+
+void matte_fractions(const BsdfLanes& bsdf, const ViewLobeLanes& lobes, const Vec3fLanes& direction,
+                     Vec3fLanes& fraction, Lanes<float>& density) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const Fraction there = matte_fraction(bsdf.normal.at(i), bsdf.facet.at(i), lobes.diffuse.at(i),
+                                          lobes.diffuses[i], direction.at(i));
+    fraction.set(i, there.fraction);
+    density[i] = there.density;
+  }
+}
+
 Fraction whole(const Bsdf& b, const Vec3f& direction) {
   ViewLayers layers;
   const ViewLobe lobe = view_lobe(b, facet_albedo_table(), layers);
@@ -49,6 +65,7 @@ Vec3f matte_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes, int lane
 }
 
 RESTFRAME_CLONES void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
+  if (bsdf.matte) return matte_lobes(bsdf, lobes);
   const FacetAlbedoTable& table = facet_albedo_table();
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
@@ -64,6 +81,7 @@ RESTFRAME_CLONES void view_lobes(const BsdfLanes& bsdf, ViewLobeLanes& lobes) {
 RESTFRAME_CLONES void scattered_fraction(const BsdfLanes& bsdf, const ViewLobeLanes& lobes,
                                          const Vec3fLanes& direction, Vec3fLanes& fraction,
                                          Lanes<float>& density) {
+  if (bsdf.matte) return matte_fractions(bsdf, lobes, direction, fraction, density);
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     const Fraction there = plain_fraction(bsdf.plain_at(i), lobes.at(i), direction.at(i));

@@ -109,4 +109,14 @@ inline Way plain_way(const Bsdf& b, const ViewLobe& lobe, const Vec3f& numbers) 
   return way;
 }
 
+// Of one that is matte.
+inline Way matte_way(const Vec3f& normal, const Vec3f& facet, float diffuses, float u, float v) {
+  Way way;
+  way.direction = cosine_distributed(basis_around(normal), disc_distributed(u, v));
+  const float to_facet = glm::dot(way.direction, facet);
+  const float to_normal = glm::dot(way.direction, normal);
+  way.there = (diffuses > 0.0F) & (to_facet > 0.0F) & (to_normal > 0.0F);
+  return way;
+}
+
 }  // namespace restframe

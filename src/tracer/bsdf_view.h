@@ -56,6 +56,23 @@ inline Fraction plain_fraction(const Bsdf& b, const ViewLobe& lobe, const Vec3f&
           seen ? density : 0.0F};
 }
 
+// What is left of both where nothing is metallic, specular or layered.
+inline ViewLobe matte_view_lobe(const Vec3f& base) {
+  ViewLobe lobe;
+  lobe.diffuse = base * (1.0F / pi);
+  lobe.diffuses = average(base);
+  share_chances(lobe);
+  return lobe;
+}
+
+inline Fraction matte_fraction(const Vec3f& normal, const Vec3f& facet, const Vec3f& diffuse,
+                               float diffuses, const Vec3f& direction) {
+  const float cos_light = glm::dot(normal, direction);
+  const bool seen = (cos_light > 0.0F) & (glm::dot(facet, direction) > 0.0F);
+  const float cosine = seen ? cos_light : 0.0F;
+  return {diffuse * cosine, diffuses * (cosine / pi)};
+}
+
 inline ViewLobe plain_view_lobe(const Bsdf& b, const FacetAlbedoTable& table) {
   const float cos_view = std::max(least_cosine, glm::dot(b.normal, b.view));
   return view_weights(b, 1.0F - b.layers.transmission, facet_albedo(table, cos_view, b.alpha));

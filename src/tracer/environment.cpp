@@ -28,6 +28,13 @@ bool beams_unevenly(const Scene& scene, const Light& sky) {
   });
 }
 
+std::optional<Vec3f> uniform_radiance(const Scene& scene, const LightPlace& place) {
+  const Light& sky = *place.light;
+  const bool constant = sky.color.function == no_function && sky.intensity.function == no_function;
+  if (!constant || place.sky_map != nullptr || scene.render.beaming) return std::nullopt;
+  return glm::max(sky.color.value * sky.intensity.value, Vec3f(0));
+}
+
 SkyDistribution::Chosen choose_direction(const Environment& environment, float u, float v) {
   if (environment.distribution == nullptr) {
     const double z = 1.0 - 2.0 * static_cast<double>(v);
@@ -50,6 +57,7 @@ std::vector<Environment> environments(const Scene& scene) {
     Environment& environment = all.emplace_back();
     environment.place = place;
     environment.is_sampled = beams_unevenly(scene, *place.light);
+    environment.uniform = uniform_radiance(scene, place);
     if (place.sky_map == nullptr) continue;
     environment.distribution = std::make_unique<const SkyDistribution>(*place.sky_map);
     environment.is_sampled = !environment.distribution->empty();

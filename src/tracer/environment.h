@@ -4,6 +4,7 @@
 // brightness varies much over the sky of some surface are sampled as lights, too.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tracer/light_sampling.h"
@@ -15,6 +16,8 @@ struct Environment {
   LightPlace place;
   std::unique_ptr<const SkyDistribution> distribution;  // null: evenly from everywhere
   bool is_sampled = false;
+  // What it radiates in every direction, always, times any emitter's factor, if that is one colour.
+  std::optional<Vec3f> uniform;
 };
 std::vector<Environment> environments(const Scene& scene);
 

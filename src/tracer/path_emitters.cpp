@@ -31,12 +31,23 @@ Vec3f PathWalk::facing(int lane) const {
   return thin ? Vec3f(0) : bsdf.facet.at(lane);
 }
 
-void PathWalk::set_chosen(int lane, float density) {
-  chosen_.density[lane] = density;
-  chosen_.omega[lane] = paths_.omega[lane];
+// Of paths that are where they scatter still.
+void PathWalk::set_chosen(const ScatteredLanes& scattered) {
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const float density = scattered.through[i] != 0 ? 0.0F : scattered.density[i];
+    set_in(scattered.active, i, chosen_.density, density);
+    set_in(scattered.active, i, chosen_.omega, paths_.omega[i]);
+  }
+  for (int lane = 0; inside_ && lane < packet_size; ++lane) {
+    if (in_medium(lane)) chosen_.density[lane] = 0.0F;
+  }
   if (stage_.emitters.empty()) return;
-  chosen_.frame[lane] = hits_.frame[lane];
-  chosen_.facing.set(lane, facing(lane));
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (scattered.active[lane] == 0) continue;
+    chosen_.frame[lane] = hits_.frame[lane];
+    chosen_.facing.set(lane, facing(lane));
+  }
 }
 
 // Of a path that has left its last vertex in a direction that lights are looked for in, too.

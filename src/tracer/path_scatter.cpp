@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "frames/lane_groups.h"
+#include "physics/clones.h"
 #include "tracer/path_walk.h"
 
 namespace restframe {
@@ -13,7 +15,7 @@ constexpr int sure_scatterings = 3;     // before paths may end by chance
 constexpr float widest_spread = 0.25F;  // radians
 
 float largest(const Vec3f& v) {
-  return std::max({v.x, v.y, v.z});
+  return std::max(std::max(v.x, v.y), v.z);
 }
 
 }  // namespace
@@ -55,42 +57,79 @@ void PathWalk::scatter_on() {
     going[i] = paths_.scatterings[i] < depth ? vertices_.active[i] : 0;
   }
   if (!any_active(going)) return;
-  const Vec3fLanes numbers{random_.lanes(Dimension::lobe, round_),
-                           random_.lanes(Dimension::direction_u, round_),
-                           random_.lanes(Dimension::direction_v, round_)};
   ScatteredLanes scattered;
-  scatter(vertices_.bsdf, vertices_.lobes, going, numbers, scattered);
-  for (int lane = 0; lane < packet_size; ++lane) {
-    if (scattered.active[lane] != 0) follow(lane, scattered);
+  scatter(vertices_.bsdf, vertices_.lobes, going, scattering_numbers(), scattered);
+  for (int lane = 0; parts_.are_wanted() && lane < packet_size; ++lane) {
+    if (scattered.active[lane] != 0) note_scattering(lane, scattered);
   }
+  weigh(scattered);
+  end_by_chance(scattered.active);
+  set_chosen(scattered);
+  for (int lane = 0; stage_.has_media && lane < packet_size; ++lane) {
+    const bool through = scattered.active[lane] != 0 && scattered.through[lane] != 0;
+    if (through && !change_sides(lane)) scattered.active[lane] = 0;
+  }
+  for (int lane = 0; stage_.tables.has_textures() && lane < packet_size; ++lane) {
+    if (scattered.active[lane] != 0) widen_cone(lane, scattered.density[lane]);
+  }
+  if (any_active(scattered.active)) depart(scattered);
 }
 
-void PathWalk::follow(int lane, const ScatteredLanes& scattered) {
-  if (parts_.are_wanted()) note_scattering(lane, scattered);
-  weigh(lane, scattered.weight.at(lane));
-  if (!survives(lane)) return;
-  const bool through = scattered.through[lane] != 0;
-  set_chosen(lane, in_medium(lane) || through ? 0.0F : scattered.density[lane]);
-  if (through && surfaces_.back[lane] != 0) {
-    media_[lane].leave(surfaces_.object[lane], surfaces_.material[lane]);
-  } else if (through) {
-    if (media_[lane].full()) return;
-    media_[lane].enter(medium_of(lane, met_surface(lane), clock_[lane]));
+Vec3fLanes PathWalk::scattering_numbers() {
+  Vec3fLanes numbers;
+  if (!vertices_.bsdf.matte) numbers.x = random_.lanes(Dimension::lobe, round_);
+  numbers.z = random_.lanes(Dimension::direction_v, round_);
+  numbers.y = random_.lanes(Dimension::direction_u, round_);
+  return numbers;
+}
+
+void PathWalk::weigh(const ScatteredLanes& scattered) {
+  if (stage_.spectra.shifts) {
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (scattered.active[lane] != 0) weigh(lane, scattered.weight.at(lane));
+    }
+    return;
   }
-  if (stage_.tables.has_textures()) widen_cone(lane, scattered.density[lane]);
-  depart(lane, scattered.direction.at(lane));
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const Vec3f left = paths_.throughput.at(i) * scattered.weight.at(i);
+    set_in(scattered.active, i, paths_.throughput, left);
+  }
 }
 
 // Russian roulette: paths that hardly matter any more end by chance, the others stand for them.
-bool PathWalk::survives(int lane) {
-  const Vec3f throughput = paths_.throughput.at(lane);
-  const float weight = follows_lines() ? history_.most_left(lane) : largest(throughput);
-  if (!(weight > 0.0F)) return false;
-  if (paths_.scatterings[lane] <= sure_scatterings) return true;
-  const float chance = std::min(1.0F, weight);
-  paths_.throughput.set(lane, throughput / chance);
-  if (follows_lines()) history_.scale(lane, 1.0F / chance);
-  return random(lane, Dimension::survival) < chance;
+void PathWalk::end_by_chance(Lanes<std::int32_t>& going) {
+  Lanes<float> weight;
+  Lanes<std::int32_t> at_risk;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) weight[i] = largest(paths_.throughput.at(i));
+  for (int i = 0; follows_lines() && i < packet_size; ++i) weight[i] = history_.most_left(i);
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    going[i] = weight[i] > 0.0F ? going[i] : 0;
+    at_risk[i] = paths_.scatterings[i] > sure_scatterings ? going[i] : 0;
+  }
+  if (!any_active(at_risk)) return;
+  const Lanes<float>& luck = random_.lanes(Dimension::survival, round_);
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (at_risk[lane] == 0) continue;
+    const float chance = std::min(1.0F, weight[lane]);
+    paths_.throughput.set(lane, paths_.throughput.at(lane) / chance);
+    if (follows_lines()) history_.scale(lane, 1.0F / chance);
+    if (!(luck[lane] < chance)) going[lane] = 0;
+  }
+}
+
+// False: the path ends.
+bool PathWalk::change_sides(int lane) {
+  MediumStack& media = media_[lane];
+  if (surfaces_.back[lane] != 0) {
+    media.leave(surfaces_.object[lane], surfaces_.material[lane]);
+    return true;
+  }
+  if (media.full()) return false;
+  media.enter(medium_of(lane, met_surface(lane), clock_[lane]));
+  return true;
 }
 
 // The cone goes on as wide as it is here. Mirrors and clear glass spread it no further; a direction that
@@ -105,25 +144,46 @@ void PathWalk::widen_cone(int lane, float density) {
   cone.slope += spread * static_cast<float>(paths_.omega[lane]);
 }
 
-// The frequency stays in the scatterer's rest frame.
-void PathWalk::depart(int lane, const Vec3f& direction) {
-  const Event<in::World> from = vertices_.at.event.at(lane);
-  const double omega = paths_.omega[lane];
-  const Vec3 x = omega * glm::normalize(Vec3(direction));
-  const RestFrame& frame = stage_.frames.frame(hits_.frame[lane]);
-  const double s_min = frame.s_clear(hits_, lane, from, x);
-  const auto world_from_rest = frame.coordinates().from_world.inverse();
-  if (media_[lane].empty()) {
-    rays_.origin.set(lane, from);
-    rays_.k.set(lane, world_from_rest(WaveVector<in::Rest>{-omega, x}));
-    rays_.s_min[lane] = s_min;
-    rays_.active[lane] = -1;
-    rays_.coherent = false;
-    return;
+// The frequency stays in the scatterers' rest frames.
+RESTFRAME_CLONES void PathWalk::depart(const ScatteredLanes& scattered) {
+  Lanes<double> s_min;
+  stage_.frames.find_clear(hits_, vertices_.at, scattered.direction, paths_.omega, scattered.active,
+                           s_min);
+  WaveVectorLanes<in::Rest> k;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const Vec3 direction(scattered.direction.at(i));
+    const double omega = paths_.omega[i];
+    const double scale = omega / std::sqrt(glm::dot(direction, direction));
+    k.set(i, {-omega, scale * direction});
   }
+  Lanes<std::int32_t> outside = scattered.active;
+  for (int lane = 0; stage_.has_media && lane < packet_size; ++lane) {
+    if (outside[lane] == 0 || !in_medium(lane)) continue;
+    outside[lane] = 0;
+    depart_within(lane, k.at(lane).x, s_min[lane]);
+  }
+  for_each_group(hits_.frame, outside, [&](int first, const Lanes<std::int32_t>& group) {
+    WaveVectorLanes<in::World> k_there;
+    transform(world_from_rest(first), k, k_there);
+#pragma GCC ivdep
+    for (int i = 0; i < packet_size; ++i) {
+      set_in(group, i, rays_.k.t, k_there.t[i]);
+      set_in(group, i, rays_.k.x, k_there.x.at(i));
+      set_in(group, i, rays_.origin.t, vertices_.at.event.t[i]);
+      set_in(group, i, rays_.origin.x, vertices_.at.event.x.at(i));
+      set_in(group, i, rays_.s_min, s_min[i]);
+      set_in(group, i, rays_.active, -1);
+    }
+    rays_.coherent = false;
+  });
+}
+
+// x: the spatial part of the wave vector, rest-frame axes.
+void PathWalk::depart_within(int lane, const Vec3& x, double s_min) {
   const double index = static_cast<double>(media_[lane].ior());
-  const auto step = world_from_rest(Displacement<in::Rest>{-index * omega, x});
-  in_medium_.origin.set(lane, from);
+  const auto step = world_from_rest(lane)(Displacement<in::Rest>{-index * paths_.omega[lane], x});
+  in_medium_.origin.set(lane, vertices_.at.event.at(lane));
   in_medium_.step.set(lane, {step.t, step.x});
   in_medium_.s_min[lane] = s_min;
   in_medium_.active[lane] = -1;

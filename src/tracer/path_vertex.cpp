@@ -59,6 +59,7 @@ void PathWalk::meet() {
   ShineLanes shines;
   vertices_.active.fill(0);
   vertices_.bsdf.layered = false;
+  vertices_.bsdf.matte = true;
   for_each_group(surfaces_.material, met_, [&](int first, const Lanes<std::int32_t>& group) {
     if (plain(first).always) return set_plain_material(plain(first), group, shines);
     for (int lane = 0; lane < packet_size; ++lane) {
@@ -122,6 +123,7 @@ RESTFRAME_CLONES void PathWalk::set_plain_material(const PlainMaterial& material
   for (int i = 0; i < packet_size; ++i) {
     set_in(group, i, bsdf.base, colored ? plain.base * Vec3f(surfaces_.color[i]) : plain.base);
   }
+  bsdf.matte = bsdf.matte && plain.metallic == 0.0F && plain.specular == 0.0F;
   shines.any = shines.any || plain.emission != Vec3f(0);
   for (int lane = 0; inside_ && lane < packet_size; ++lane) {
     if (group[lane] != 0 && in_medium(lane)) bsdf.eta[lane] /= media_[lane].ior();
@@ -149,6 +151,7 @@ void PathWalk::set_changing_material(int lane, ShineLanes& shines) {
   if (material.unlit || !scatters) return;
   ++paths_.scatterings[lane];
   vertices_.active[lane] = -1;
+  vertices_.bsdf.matte = false;
   vertices_.bsdf.base.set(lane, base);
   set_finish(met, clock, evaluator_, vertices_.bsdf);
   vertices_.bsdf.eta[lane] = index_ratio(lane, met, clock);

@@ -54,6 +54,7 @@ bool PathWalk::find_surfaces() {
     hit_[i] = hit & active;
     missed_[i] = ~hit & active;
   }
+  stage_.frames.prefetch(hit_, hits_);
   surfaces_at(stage_.scene, stage_.frames, hits_, hit_, surfaces_);
   stage_.frames.locate(hit_, stage_.has_clocks || layers_.data != nullptr, hits_, vertices_.at);
   return true;
@@ -68,9 +69,18 @@ bool PathWalk::rests_together(int frame, int other) const {
 }
 
 void PathWalk::miss() {
-  const bool lit_from_afar = !stage_.environments.empty();
-  for (int lane = 0; lit_from_afar && lane < packet_size; ++lane) {
-    if (missed_[lane] != 0 && !in_medium(lane)) add_environments(lane);
+  Lanes<std::int32_t> leaving = missed_;
+  for (int lane = 0; inside_ && lane < packet_size; ++lane) {
+    if (in_medium(lane)) leaving[lane] = 0;
+  }
+  for (const Environment& sky : stage_.environments) {
+    if (sky.uniform && !stage_.spectra.matters) {
+      add_uniform(sky, leaving);
+      continue;
+    }
+    for (int lane = 0; lane < packet_size; ++lane) {
+      if (leaving[lane] != 0) add_environment(sky, lane);
+    }
   }
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
@@ -79,13 +89,33 @@ void PathWalk::miss() {
   }
 }
 
-void PathWalk::add_environments(int lane) {
-  for (const Environment& sky : stage_.environments) {
-    const Vec3f radiance = environment_radiance(sky.place, rays_.origin.at(lane), rays_.k.at(lane),
-                                                stage_.scene.render.beaming, evaluator_);
-    receive_from_sky(sky, lane, radiance * share_of_sky(sky, lane));
-    paths_.coverage[lane] = 1;
+// Nobody looks for light of such a sky, so all of it is met by chance.
+void PathWalk::add_uniform(const Environment& sky, const Lanes<std::int32_t>& leaving) {
+  const Vec3f radiance = *sky.uniform;
+#pragma GCC ivdep
+  for (int i = 0; i < packet_size; ++i) {
+    const Vec3f sum = paths_.radiance.at(i) + paths_.throughput.at(i) * radiance;
+    set_in(leaving, i, paths_.radiance, sum);
+    set_in(leaving, i, paths_.coverage, 1.0F);
   }
+  if (!parts_.are_wanted()) return;
+  const std::int32_t group = stage_.group_of(sky.place);
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (leaving[lane] != 0) parts_.receive(lane, group, paths_.throughput.at(lane) * radiance);
+  }
+}
+
+void PathWalk::add_environment(const Environment& sky, int lane) {
+  Vec3f radiance;
+  if (sky.uniform) {
+    radiance = *sky.uniform;
+  } else {
+    radiance = environment_radiance(sky.place, rays_.origin.at(lane), rays_.k.at(lane),
+                                    stage_.scene.render.beaming, evaluator_) *
+               share_of_sky(sky, lane);
+  }
+  receive_from_sky(sky, lane, radiance);
+  paths_.coverage[lane] = 1;
 }
 
 // Sets which paths the surfaces stop; the others pass them, or have met nothing.
@@ -122,6 +152,7 @@ void PathWalk::stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_
   const std::int32_t both_sides = plain.double_sided ? -1 : 0;
   Lanes<std::int32_t> passing;
 #pragma GCC ivdep
+#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) {
     const std::int32_t stops = surfaces_.back[i] == 0 ? -1 : both_sides;
     met_[i] |= group[i] & stops;

@@ -132,7 +132,8 @@ class PathWalk {
   bool rests_together(int frame, int other) const;
   bool enters_other_frame(int lane);
   void miss();
-  void add_environments(int lane);
+  void add_uniform(const Environment& sky, const Lanes<std::int32_t>& leaving);
+  void add_environment(const Environment& sky, int lane);
   void receive_from_sky(const Environment& sky, int lane, const Vec3f& color);
   void stop_or_pass();
   void stop_or_pass(int lane);
@@ -179,7 +180,7 @@ class PathWalk {
                    const ViewLobeLanes& lobes);
   void darken_insides(IncidentLanes& from) const;
   Vec3f facing(int lane) const;
-  void set_chosen(int lane, float density);
+  void set_chosen(const ScatteredLanes& scattered);
   float share_of_chance(int lane, double light_density) const;
   float share_of_sky(const Environment& sky, int lane) const;
   float share_of_emitter(int lane) const;
@@ -188,8 +189,10 @@ class PathWalk {
   Medium medium_of(int lane, const MetSurface& met, double clock);
   float index_ratio(int lane, const MetSurface& met, double clock);
   void scatter_on();
-  void follow(int lane, const ScatteredLanes& scattered);
-  bool survives(int lane);
+  Vec3fLanes scattering_numbers();
+  void weigh(const ScatteredLanes& scattered);
+  void end_by_chance(Lanes<std::int32_t>& going);
+  bool change_sides(int lane);
   // The path goes on with this fraction of its light, a colour at the surface or in the medium that
   // it is at.
   void weigh(int lane, const Vec3f& weight) {
@@ -205,7 +208,11 @@ class PathWalk {
     if (parts_.are_wanted()) parts_.receive(lane, group, left);
   }
   void widen_cone(int lane, float density);
-  void depart(int lane, const Vec3f& direction);
+  void depart(const ScatteredLanes& scattered);
+  void depart_within(int lane, const Vec3& x, double s_min);
+  Boost<in::World, in::Rest> world_from_rest(int lane) const {
+    return stage_.frames.frame(hits_.frame[lane]).coordinates().from_world.inverse();
+  }
 
   void choose_wavelengths(const PacketId& id);
   glm::mat3 color_from_lanes(float hero) const;

@@ -59,11 +59,12 @@ RESTFRAME_CLONES void fourth_lanes(const BitLanes& points, const BitLanes& seed,
 
 }  // namespace
 
-void PacketRandom::draw(Dimension first, std::uint32_t index) {
+void PacketRandom::draw(Dimension last, std::uint32_t index) {
   if (!placed_) place_lanes(id_, index_reversed_, seed_);
   placed_ = true;
+  const Dimension first = first_of_set(last);
   const auto at = static_cast<std::size_t>(first);
-  const std::size_t size = size_of_set(first);
+  const std::size_t size = place_in_set(last) + std::size_t{1};
   const UseSeeds seeds = seeds_of(id_, first, index);
   BitLanes points;
   shuffle_lanes(index_reversed_, seed_, seeds.order, points);

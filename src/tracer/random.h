@@ -146,15 +146,15 @@ inline float random_unit(const PacketId& id, int lane, Dimension dimension, std:
   return scrambled_unit(point, seeds.place[at] ^ place.seed);
 }
 
-// The numbers of random_unit() for 16 samples, drawn for all lanes at once, and sets together: a
-// fraction of the time where most lanes ask. The id must outlive it, as it is.
+// The numbers of random_unit() for 16 samples, drawn for all lanes at once, and sets together
+// up to the number that is asked for: a fraction of the time where most lanes ask. The id must outlive it, as it is.
 class PacketRandom {
  public:
   explicit PacketRandom(const PacketId& id) : id_(id) { drawn_.fill(0); }
 
   float operator()(int lane, Dimension dimension, std::uint32_t index) {
     const auto at = static_cast<std::size_t>(dimension);
-    if (drawn_[at] != index + 1) draw(first_of_set(dimension), index);
+    if (drawn_[at] != index + 1) draw(dimension, index);
     return units_[at][lane];
   }
   const Lanes<float>& lanes(Dimension dimension, std::uint32_t index) {
@@ -163,7 +163,8 @@ class PacketRandom {
   }
 
  private:
-  void draw(Dimension first, std::uint32_t index);
+  // With those before it in its set.
+  void draw(Dimension last, std::uint32_t index);
 
   static constexpr auto dimensions = static_cast<std::size_t>(Dimension::count);
   const PacketId& id_;

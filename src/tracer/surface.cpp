@@ -4,9 +4,11 @@
 #include "tracer/surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 
+#include "frames/lane_groups.h"
 #include "physics/clones.h"
 
 namespace restframe {
@@ -25,33 +27,29 @@ Placed placed(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
 }
 
 // Which of the waiting lanes hit the same part as lane `first`; they no longer wait.
-Lanes<std::int32_t> take_group(const HitPacket& hits, int first, Lanes<std::int32_t>& waiting) {
-  const std::int32_t frame = hits.frame[first];
-  const std::uint32_t part = hits.part[first];
-  Lanes<std::int32_t> group;
+Lanes<std::int32_t> take_part(const HitPacket& hits, bool one_frame, int first,
+                              Lanes<std::int32_t>& waiting) {
+  if (one_frame) return take_group(hits.part, first, waiting);
+  Lanes<std::int32_t> of_frame = take_group(hits.frame, first, waiting);
+  const Lanes<std::int32_t> group = take_group(hits.part, first, of_frame);
 #pragma GCC ivdep
-  for (int i = 0; i < packet_size; ++i) {
-    const std::uint32_t own_part = hits.part[i];
-    const std::int32_t waits = waiting[i];
-    const bool same = (hits.frame[i] == frame) & (own_part == part);
-    group[i] = same ? waits : 0;
-    waiting[i] = same ? 0 : waits;
-  }
+  for (int i = 0; i < packet_size; ++i) waiting[i] |= of_frame[i];
   return group;
 }
 
 // Lanes outside the group repeat its first one's, which is safe to read.
-void gather_normals(std::span<const CornerNormals> normals, const HitPacket& hits, int first,
+void gather_normals(std::span<const MetTriangle> met, const HitPacket& hits, int first,
                     const Lanes<std::int32_t>& group, CornerNormalLanes& corners) {
   Lanes<std::uint32_t> triangle;
   const std::uint32_t first_triangle = hits.triangle[first];
 #pragma GCC ivdep
+#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) {
     const std::uint32_t own = hits.triangle[i];
     triangle[i] = group[i] != 0 ? own : first_triangle;
   }
   for (int i = 0; i < packet_size; ++i) {
-    const CornerNormals& n = normals[triangle[i]];
+    const CornerNormals& n = met[triangle[i]].normals;
     for (std::size_t word = 0; word < n.size(); ++word) corners[word][i] = n[word];
   }
 }
@@ -104,6 +102,7 @@ void assign_materials(const Placed& placed, const HitPacket& hits, const Lanes<s
     const std::uint32_t from = ranges[range].first_triangle;
     const std::int32_t material = materials[static_cast<std::size_t>(ranges[range].slot)];
 #pragma GCC ivdep
+#pragma GCC unroll 1
     for (int i = 0; i < packet_size; ++i) {
       const std::uint32_t triangle = hits.triangle[i];
       blend((group[i] != 0) & (triangle >= from), surfaces.material[i], material);
@@ -119,6 +118,7 @@ void assign_materials(const Placed& placed, const HitPacket& hits, const Lanes<s
 
 void assign_object(int object, const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
 #pragma GCC ivdep
+#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) {
     blend(group[i] != 0, surfaces.object[i], object);
   }
@@ -142,11 +142,11 @@ void shade_group(const Placed& placed, const HitPacket& hits, int first,
                  const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
   Vec3fLanes facet;
   to_rest(placed.part.rest_from_facet_normal, hits.facet_normal, facet);
-  if (placed.part.corner_normals.empty()) {
+  if (placed.part.met_triangles.empty()) {
     orient(facet, facet, hits.sight, group, surfaces);
   } else {
     CornerNormalLanes corners;
-    gather_normals(placed.part.corner_normals, hits, first, group, corners);
+    gather_normals(placed.part.met_triangles, hits, first, group, corners);
     Vec3fLanes local, normal;
     interpolate(corners, hits, local);
     to_rest(placed.part.rest_from_mesh_normal, local, normal);
@@ -162,12 +162,13 @@ void shade_group(const Placed& placed, const HitPacket& hits, int first,
 RESTFRAME_CLONES void surfaces_at(const Scene& scene, const FrameSet& frames, const HitPacket& hits,
                                   const Lanes<std::int32_t>& active, SurfaceLanes& surfaces) {
   surfaces.colored = false;
+  const bool one_frame = frames.frames().size() == 1;
   Lanes<std::int32_t> waiting;
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) waiting[i] = hits.frame[i] >= 0 ? active[i] : 0;
-  for (int first = 0; any_active(waiting); ++first) {
-    if (waiting[first] == 0) continue;
-    const Lanes<std::int32_t> group = take_group(hits, first, waiting);
+  while (const unsigned bits = active_bits(waiting)) {
+    const int first = std::countr_zero(bits);
+    const Lanes<std::int32_t> group = take_part(hits, one_frame, first, waiting);
     shade_group(placed(scene, frames, hits, first), hits, first, group, surfaces);
   }
 }
