@@ -22,12 +22,10 @@ inline void set_in(const Lanes<std::int32_t>& group, int i, Vec3Lanes& lanes, co
   set_in(group, i, lanes.z, v.z);
 }
 
-// A bit for each lane that is active, the lowest for lane 0. (Short loops within others are unrolled
-// by GCC before it would make vectors of them, unless it is told not to.)
+// A bit for each lane that is active, the lowest for lane 0.
 inline unsigned active_bits(const Lanes<std::int32_t>& active) {
   unsigned bits = 0;
 #pragma GCC ivdep
-#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) bits |= active[i] != 0 ? 1U << i : 0U;
   return bits;
 }
@@ -38,10 +36,8 @@ Lanes<std::int32_t> take_group(const Lanes<Key>& keys, int first, Lanes<std::int
   const Key key = keys[first];
   Lanes<std::int32_t> same, group;
 #pragma GCC ivdep
-#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) same[i] = keys[i] == key ? -1 : 0;
 #pragma GCC ivdep
-#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) {
     const std::int32_t waits = waiting[i];
     group[i] = waits & same[i];

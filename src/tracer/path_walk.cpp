@@ -152,7 +152,6 @@ void PathWalk::stop_at_plain(const PlainMaterial& plain, const Lanes<std::int32_
   const std::int32_t both_sides = plain.double_sided ? -1 : 0;
   Lanes<std::int32_t> passing;
 #pragma GCC ivdep
-#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) {
     const std::int32_t stops = surfaces_.back[i] == 0 ? -1 : both_sides;
     met_[i] |= group[i] & stops;

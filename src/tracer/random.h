@@ -146,8 +146,8 @@ inline float random_unit(const PacketId& id, int lane, Dimension dimension, std:
   return scrambled_unit(point, seeds.place[at] ^ place.seed);
 }
 
-// The numbers of random_unit() for 16 samples, drawn for all lanes at once, and sets together
-// up to the number that is asked for: a fraction of the time where most lanes ask. The id must outlive it, as it is.
+// The numbers of random_unit() for 16 samples, drawn for all lanes at once, and sets together up to the
+// number that is asked for: a fraction of the time where most lanes ask. The id must outlive it, as it is.
 class PacketRandom {
  public:
   explicit PacketRandom(const PacketId& id) : id_(id) { drawn_.fill(0); }

@@ -43,7 +43,6 @@ void gather_normals(std::span<const MetTriangle> met, const HitPacket& hits, int
   Lanes<std::uint32_t> triangle;
   const std::uint32_t first_triangle = hits.triangle[first];
 #pragma GCC ivdep
-#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) {
     const std::uint32_t own = hits.triangle[i];
     triangle[i] = group[i] != 0 ? own : first_triangle;
@@ -102,7 +101,6 @@ void assign_materials(const Placed& placed, const HitPacket& hits, const Lanes<s
     const std::uint32_t from = ranges[range].first_triangle;
     const std::int32_t material = materials[static_cast<std::size_t>(ranges[range].slot)];
 #pragma GCC ivdep
-#pragma GCC unroll 1
     for (int i = 0; i < packet_size; ++i) {
       const std::uint32_t triangle = hits.triangle[i];
       blend((group[i] != 0) & (triangle >= from), surfaces.material[i], material);
@@ -118,7 +116,6 @@ void assign_materials(const Placed& placed, const HitPacket& hits, const Lanes<s
 
 void assign_object(int object, const Lanes<std::int32_t>& group, SurfaceLanes& surfaces) {
 #pragma GCC ivdep
-#pragma GCC unroll 1
   for (int i = 0; i < packet_size; ++i) {
     blend(group[i] != 0, surfaces.object[i], object);
   }
