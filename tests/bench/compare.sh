@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # restframe's path integrator against Blender's Cycles and Embree's sample path tracer, on the bench lattice
-# under a white sky. Run by hand, on a quiet machine: it takes about ten minutes.
+# under a white sky. Run by hand, on a quiet machine: it takes about six minutes.
 #     tests/bench/compare.sh [PROGRAM]        build/release/restframe unless given
 # Writes tests/bench/compare.csv. Installs Debian's blender, python3-numpy and embree-tools where missing.
 set -euo pipefail
