@@ -5,10 +5,11 @@
 # a line and goes on where they can not be had, unless RESTFRAME_NEED_CLIENTS is set. A line for each thing
 # that is compared, with the numbers.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")"
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+program=$(realpath "${1:-$here/../build/release/restframe}")
+cd "$here"
 # shellcheck source=SCRIPTDIR/support/packages.sh
 source support/packages.sh
-program=$(realpath "${1:-../build/release/restframe}")
 scripts=$PWD/clients
 python=/usr/bin/python3 # Debian's, which the packages are for, whatever comes first on PATH
 
