@@ -11,7 +11,10 @@
 namespace restframe {
 namespace {
 
-constexpr int sure_scatterings = 3;     // before paths may end by chance
+constexpr int sure_scatterings = 3;  // before paths may end by chance ...
+// ... and only those that are left with less of their light: ending others costs more in noise than it
+// saves in time (measured in lattices under skies and in closed rooms).
+constexpr float worth_following = 0.25F;
 constexpr float widest_spread = 0.25F;  // radians
 
 float largest(const Vec3f& v) {
@@ -97,7 +100,7 @@ void PathWalk::weigh(const ScatteredLanes& scattered) {
   }
 }
 
-// Russian roulette: paths that hardly matter any more end by chance, the others stand for them.
+// Russian roulette: of paths that hardly matter any more some end, the others stand for them.
 void PathWalk::end_by_chance(Lanes<std::int32_t>& going) {
   Lanes<float> weight;
   Lanes<std::int32_t> at_risk;
@@ -107,13 +110,14 @@ void PathWalk::end_by_chance(Lanes<std::int32_t>& going) {
 #pragma GCC ivdep
   for (int i = 0; i < packet_size; ++i) {
     going[i] = weight[i] > 0.0F ? going[i] : 0;
-    at_risk[i] = paths_.scatterings[i] > sure_scatterings ? going[i] : 0;
+    const bool sure = paths_.scatterings[i] <= sure_scatterings;
+    at_risk[i] = sure | (weight[i] >= worth_following) ? 0 : going[i];
   }
   if (!any_active(at_risk)) return;
   const Lanes<float>& luck = random_.lanes(Dimension::survival, round_);
   for (int lane = 0; lane < packet_size; ++lane) {
     if (at_risk[lane] == 0) continue;
-    const float chance = std::min(1.0F, weight[lane]);
+    const float chance = weight[lane] / worth_following;
     paths_.throughput.set(lane, paths_.throughput.at(lane) / chance);
     if (follows_lines()) history_.scale(lane, 1.0F / chance);
     if (!(luck[lane] < chance)) going[lane] = 0;
