@@ -8,6 +8,11 @@ namespace restframe {
 
 // Where all surfaces rest in the world, nobody asks for their boosts.
 void PathWalk::find_rest_frames(LitLanes& lit) const {
+  if (stage_.frames.frames().size() == 1) {
+    const Boost<in::Rest, in::World>& boost = stage_.frames.frame(0).coordinates().from_world;
+    lit.all_rest = boost.is_identity();
+    return lit.rest_from_world.fill(&boost);
+  }
   lit.all_rest = true;
   for_each_group(hits_.frame, lit.active, [&](int first, const Lanes<std::int32_t>& group) {
     const Boost<in::Rest, in::World>* boost =
