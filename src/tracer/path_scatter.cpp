@@ -111,7 +111,7 @@ void PathWalk::end_by_chance(Lanes<std::int32_t>& going) {
   for (int i = 0; i < packet_size; ++i) {
     going[i] = weight[i] > 0.0F ? going[i] : 0;
     const bool sure = paths_.scatterings[i] <= sure_scatterings;
-    at_risk[i] = sure | (weight[i] >= worth_following) ? 0 : going[i];
+    at_risk[i] = (sure | (weight[i] >= worth_following)) ? 0 : going[i];
   }
   if (!any_active(at_risk)) return;
   const Lanes<float>& luck = random_.lanes(Dimension::survival, round_);
