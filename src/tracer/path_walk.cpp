@@ -54,6 +54,7 @@ bool PathWalk::find_surfaces() {
     hit_[i] = hit & active;
     missed_[i] = ~hit & active;
   }
+  // What coherent rays hit lies close together.
   if (!rays_.coherent) stage_.frames.prefetch(hit_, hits_);
   surfaces_at(stage_.scene, stage_.frames, hits_, hit_, surfaces_);
   stage_.frames.locate(hit_, stage_.has_clocks || layers_.data != nullptr, hits_, vertices_.at);
